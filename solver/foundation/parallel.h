@@ -1,0 +1,30 @@
+#pragma once
+
+#include <omp.h>
+
+#include <cstddef>
+#include <exception>
+
+namespace plumbline {
+
+inline int thread_count() { return omp_get_max_threads(); }
+inline void set_thread_count(int n) { omp_set_num_threads(n); }
+
+/// Calls body(i) for every i in [0, n), on all threads. The bodies may run in any order, so each
+/// writes only what belongs to its own i; then the result does not depend on the number of threads.
+/// Rethrows the exception of one of the bodies that threw, once the loop has ended.
+template <class Body> void parallel_for(std::size_t n, Body body) {
+    std::exception_ptr failure;
+#pragma omp parallel for schedule(dynamic, 256)
+    for (std::size_t i = 0; i < n; ++i) {
+        try {
+            body(i);
+        } catch (...) {
+#pragma omp critical(plumbline_parallel_for)
+            failure = std::current_exception();
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace plumbline
