@@ -26,8 +26,9 @@ struct Study {
 
     struct Series {
         std::string name;
-        Bound order;             // of error ~ spacing^order
-        bool saturates = false;  // the claim is that the error stops at a floor
+        Bound order;             // of error ~ spacing^order; its middle is the formal order
+        bool saturates = false;  // the claim is instead that the error stops at a floor
+        bool sabotaged = false;  // wrong on purpose: it must break its bound
     };
     std::vector<Series> series;
     /// The error of each series, in their order; NaN where the method gives no answer.
@@ -36,6 +37,18 @@ struct Study {
     std::vector<std::string> tags = {};
 };
 
+/// The verdict on a series whose errors follow `fit`.
+/// - saturated: a floor, told from zero by its interval, makes up more than half of the finest error,
+///   and the last step falls at less than half of the steepest rate;
+/// - verified, failed: the whole interval of the order is inside the bound, outside of it;
+/// - not in asymptotic range: it straddles the bound, and the levels do not lie on a line; or it is
+///   inside, but the last step leaves the bound. Finer levels are needed, more seeds would not help;
+/// - inconclusive: it straddles the bound by the scatter of the seeds, or there are fewer than four
+///   levels.
+/// For a series that is to saturate, saturated becomes verified. For a sabotaged one, any breach of
+/// the bound becomes verified, and holding it toothless.
+Verdict judge(const Study::Series& series, const PowerLaw& fit);
+
 struct SeriesResult {
     std::string name;
     Bound expected_order;
@@ -43,7 +56,13 @@ struct SeriesResult {
     std::vector<std::vector<double>> errors;  // [level][seed]
     PowerLaw fit;
     Verdict verdict;
+    bool sabotaged = false;
+    int failures = 0;  // how many of the errors are not finite: the method gave no answer
 };
+
+/// The floor at which all series rest, if there are at least two and their floors agree within 10 %:
+/// different methods do not err alike, so it is what they are compared with that is too coarse.
+std::optional<double> common_floor(const std::vector<SeriesResult>& series);
 
 struct StudyResult {
     Study study;
@@ -51,7 +70,8 @@ struct StudyResult {
     int seeds;
     std::vector<SeriesResult> series;
     double seconds;
-    std::string error;  // what `errors` threw, if it did; then `series` is empty
+    std::string error;    // what `errors` threw, if it did; then `series` is empty
+    std::string warning;  // set if the reference is too coarse; then every verdict is inconclusive
 };
 
 /// Runs every level and seed, and fits the order of each series. Never throws.
