@@ -17,7 +17,8 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.fallthrough();
     int threads = 0;
-    app.add_option("--threads", threads, "threads to use (default: all)")->check(CLI::Range(1, 4096));
+    app.add_option("--threads", threads, "threads to use (default: all)")
+        ->check(CLI::Range(1, 4096));
 
     ExitCode exit = ExitCode::ok;
     for (const reports::Command& command : reports::commands()) {

@@ -8,12 +8,18 @@ namespace verification {
 
 std::string_view name_of(Verdict verdict) {
     switch (verdict) {
-        case Verdict::verified: return "verified";
-        case Verdict::failed: return "failed";
-        case Verdict::toothless: return "toothless";
-        case Verdict::saturated: return "saturated";
-        case Verdict::not_in_asymptotic_range: return "not in asymptotic range";
-        case Verdict::inconclusive: return "inconclusive";
+        case Verdict::verified:
+            return "verified";
+        case Verdict::failed:
+            return "failed";
+        case Verdict::toothless:
+            return "toothless";
+        case Verdict::saturated:
+            return "saturated";
+        case Verdict::not_in_asymptotic_range:
+            return "not in asymptotic range";
+        case Verdict::inconclusive:
+            return "inconclusive";
     }
     return "";
 }

@@ -6,10 +6,14 @@ namespace verification {
 
 std::string_view name_of(Paper paper) {
     switch (paper) {
-        case Paper::adams2009: return "adams2009";
-        case Paper::wicke2006: return "wicke2006";
-        case Paper::literature: return "literature";
-        case Paper::plumbline: return "plumbline";
+        case Paper::adams2009:
+            return "adams2009";
+        case Paper::wicke2006:
+            return "wicke2006";
+        case Paper::literature:
+            return "literature";
+        case Paper::plumbline:
+            return "plumbline";
     }
     return "";
 }

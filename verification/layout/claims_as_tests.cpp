@@ -13,8 +13,7 @@ public:
     void invoke() const override {
         const ClaimResult result = measure(*claim_);
         INFO(claim_->says << "\nmeasured " << result.measured << ", bound [" << claim_->bound.low
-                          << ", " << claim_->bound.high << "] because " << claim_->bound.why
-                          << "\n"
+                          << ", " << claim_->bound.high << "] because " << claim_->bound.why << "\n"
                           << result.error);
         CHECK(name_of(result.verdict) == name_of(Verdict::verified));
     }
