@@ -1,0 +1,26 @@
+# cmake -D root=FOLDER -P check_files.cmake: what holds for every file that is written by hand.
+cmake_minimum_required(VERSION 3.25)
+set(most_lines 400)
+
+file(GLOB top ${root}/CMake* ${root}/*.md ${root}/plumbline ${root}/.ci/run)
+foreach(folder solver verification benchmarks reports)
+    file(GLOB_RECURSE files ${root}/${folder}/*.h ${root}/${folder}/*.cpp ${root}/${folder}/*.in
+         ${root}/${folder}/*.cmake ${root}/${folder}/CMakeLists.txt ${root}/${folder}/*.html)
+    list(APPEND top ${files})
+endforeach()
+
+foreach(file ${top})
+    file(READ ${file} text)
+    file(RELATIVE_PATH name ${root} ${file})
+    string(REGEX MATCHALL "\n" ends "${text}")
+    list(LENGTH ends lines)
+    if(lines GREATER most_lines)
+        message(SEND_ERROR "${name} has ${lines} lines; at most ${most_lines} can be read at one sitting")
+    endif()
+    if(text MATCHES "[/](home|root|work|tmp|Users|mnt)[/][A-Za-z0-9_.-]*")
+        message(SEND_ERROR "${name} names ${CMAKE_MATCH_0}, a path of one machine")
+    endif()
+    if(name MATCHES "\\.h$" AND NOT text MATCHES "^#pragma once\n")
+        message(SEND_ERROR "${name} does not begin with #pragma once")
+    endif()
+endforeach()

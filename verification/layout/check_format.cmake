@@ -1,0 +1,11 @@
+# cmake -D root=FOLDER -D clang_format=PROGRAM -P check_format.cmake
+cmake_minimum_required(VERSION 3.25)
+set(files "")
+foreach(folder solver verification benchmarks reports)
+    file(GLOB_RECURSE here ${root}/${folder}/*.h ${root}/${folder}/*.cpp)
+    list(APPEND files ${here})
+endforeach()
+execute_process(COMMAND ${clang_format} --dry-run -Werror ${files} RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+    message(FATAL_ERROR "clang-format -i would change the files above")
+endif()

@@ -1,0 +1,44 @@
+# cmake -D root=FOLDER -P check_mirror.cmake: verification/ mirrors solver/, so that whoever reads a
+# method finds its claims, and whoever reads a claim finds its method, by the name of the file.
+cmake_minimum_required(VERSION 3.25)
+
+# "file: why nothing in it can be wrong by itself".
+set(solver_files_without_claims
+    "foundation/types.h: names for types"
+    "foundation/errors.h: one exception type, whose messages verification/reports/bad_input_test.cpp reads"
+    "approximation/samples.h: a view without code")
+# "file: why no single file of the solver stands behind it".
+set(verification_files_without_method)
+
+function(check_exceptions folder entries)
+    foreach(entry ${${entries}})
+        string(REGEX REPLACE ": .*" "" file "${entry}")
+        if(NOT EXISTS ${root}/${folder}/${file})
+            message(SEND_ERROR "${folder}/${file} is an exception in check_mirror.cmake, but does not exist")
+        endif()
+    endforeach()
+endfunction()
+if(NOT without_exceptions)
+    check_exceptions(solver solver_files_without_claims)
+    check_exceptions(verification verification_files_without_method)
+endif()
+
+foreach(layer foundation particles neighbours kernels approximation fluid elasticity lattice surface
+        shape motion scene io)
+    file(GLOB_RECURSE headers RELATIVE ${root}/solver ${root}/solver/${layer}/*.h)
+    foreach(header ${headers})
+        string(REGEX REPLACE "\\.h$" "" stem ${header})
+        if(NOT EXISTS ${root}/verification/${stem}.cpp AND NOT EXISTS ${root}/verification/${stem}_test.cpp
+           AND NOT "${solver_files_without_claims}" MATCHES "(^|;)${header}: ")
+            message(SEND_ERROR "solver/${header} has neither verification/${stem}.cpp nor ${stem}_test.cpp")
+        endif()
+    endforeach()
+    file(GLOB_RECURSE claims RELATIVE ${root}/verification ${root}/verification/${layer}/*.cpp)
+    foreach(claim ${claims})
+        string(REGEX REPLACE "(_test)?\\.cpp$" "" stem ${claim})
+        if(NOT EXISTS ${root}/solver/${stem}.h
+           AND NOT "${verification_files_without_method}" MATCHES "(^|;)${claim}: ")
+            message(SEND_ERROR "verification/${claim} verifies nothing: there is no solver/${stem}.h")
+        endif()
+    endforeach()
+endforeach()
