@@ -12,10 +12,11 @@ inline void set_thread_count(int n) { omp_set_num_threads(n); }
 
 /// Calls body(i) for every i in [0, n), on all threads. The bodies may run in any order, so each
 /// writes only what belongs to its own i; then the result does not depend on the number of threads.
+/// Threads take `grain` bodies at a time: 256 for light ones, 1 for heavy ones.
 /// Rethrows the exception of one of the bodies that threw, once the loop has ended.
-template <class Body> void parallel_for(std::size_t n, Body body) {
+template <class Body> void parallel_for(std::size_t n, Body body, int grain = 256) {
     std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, grain)
     for (std::size_t i = 0; i < n; ++i) {
         try {
             body(i);

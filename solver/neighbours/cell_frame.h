@@ -1,0 +1,94 @@
+#pragma once
+
+#include "solver/neighbours/space.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace plumbline {
+
+/// The grid over the box of the points, or over the periodic box: cells no narrower than the radius, so
+/// that the neighbours of a point are in its cell and the adjacent ones.
+///
+/// A cell number is ⌊t⌋ of t = (x − low) / width, at most 2³¹, with an error below 2⁻²¹ from its two
+/// roundings. So that two points closer than the radius never seem to be two cells apart, cells are
+/// wider than the radius by 2⁻¹⁸. A box of more than 2³¹ radii gets wider cells: right, but slower
+/// where many points share a cell.
+template <int Dim> class CellFrame {
+public:
+    CellFrame() = default;
+
+    static CellFrame around(std::span<const Vec<Dim>> points, double radius) {
+        CellFrame frame;
+        if (points.empty()) return frame;
+        frame.low_ = frame.high_ = points.front();
+        for (const Vec<Dim>& x : points) {
+            frame.low_ = frame.low_.cwiseMin(x);
+            frame.high_ = frame.high_.cwiseMax(x);
+        }
+        for (int axis = 0; axis < Dim; ++axis) {
+            const double edge = frame.high_[axis] - frame.low_[axis];
+            const double width = std::max(radius * (1.0 + 0x1p-18), edge * 0x1p-31);
+            frame.inverse_width_[axis] = 1.0 / width;
+            frame.cells_[axis] = static_cast<std::uint32_t>(edge / width) + 1;
+        }
+        return frame;
+    }
+    static CellFrame filling(const PeriodicBox<Dim>& box, double radius) {
+        CellFrame frame;
+        frame.low_ = box.low();
+        frame.high_ = box.high();
+        for (int axis = 0; axis < Dim; ++axis) {
+            const double fit = std::floor(box.edge()[axis] / (radius * (1.0 + 0x1p-18)));
+            frame.cells_[axis] = static_cast<std::uint32_t>(std::clamp(fit, 1.0, 0x1p31));
+            frame.inverse_width_[axis] = frame.cells_[axis] / box.edge()[axis];
+        }
+        return frame;
+    }
+
+    /// A coordinate outside of the box counts to the nearest cell of the grid; moving a query there
+    /// brings it no farther from any point.
+    std::uint32_t cell(double x, int axis) const {
+        const double inside = std::clamp(x, low_[axis], high_[axis]);
+        const auto number =
+            static_cast<std::uint32_t>((inside - low_[axis]) * inverse_width_[axis]);
+        return std::min(number, cells_[axis] - 1);
+    }
+    std::array<std::uint32_t, Dim> cell(const Vec<Dim>& x) const {
+        std::array<std::uint32_t, Dim> all;
+        for (int axis = 0; axis < Dim; ++axis) all[axis] = cell(x[axis], axis);
+        return all;
+    }
+    std::uint32_t cells(int axis) const { return cells_[axis]; }
+    /// How many cells a ball reaches to either side of the cell of its centre.
+    std::int64_t reach(double radius) const {
+        double most = 1.0;
+        for (int axis = 0; axis < Dim; ++axis) {
+            const double wide = std::ceil(radius * inverse_width_[axis] + 0x1p-19);
+            most = std::max(most, std::min(wide, static_cast<double>(cells_[axis])));
+        }
+        return static_cast<std::int64_t>(most);
+    }
+    /// Rows are lines of cells along the first axis, numbered with the second axis fastest.
+    std::uint64_t row(const std::array<std::uint32_t, Dim>& cell) const {
+        std::uint64_t number = 0;
+        for (int axis = Dim - 1; axis > 0; --axis) number = number * cells_[axis] + cell[axis];
+        return number;
+    }
+    double cell_count() const {
+        double all = 1.0;
+        for (const std::uint32_t n : cells_) all *= n;
+        return all;
+    }
+
+private:
+    Vec<Dim> low_ = Vec<Dim>::Zero(), high_ = Vec<Dim>::Zero();
+    Vec<Dim> inverse_width_ = Vec<Dim>::Zero();
+    std::array<std::uint32_t, Dim> cells_ = [] {
+        std::array<std::uint32_t, Dim> one;
+        one.fill(1);
+        return one;
+    }();
+};
+}  // namespace plumbline

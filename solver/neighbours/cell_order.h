@@ -1,0 +1,156 @@
+#pragma once
+
+#include "solver/foundation/parallel.h"
+#include "solver/neighbours/cell_frame.h"
+
+#include <numeric>
+#include <vector>
+
+namespace plumbline {
+
+/// Points sorted by cell: row after row, in a row by column, in a cell as given. Only cells and rows
+/// that hold points are kept. O(n): by counting if the grid has at most a few cells per point, else
+/// digit by digit.
+template <int Dim> class CellOrder {
+public:
+    void sort(const CellFrame<Dim>& frame, std::span<const Vec<Dim>> points) {
+        const std::size_t n = points.size();
+        order_.resize(n);
+        clear_cells();
+        constexpr double cells_per_point = 4.0;
+        if (frame.cell_count() <= cells_per_point * static_cast<double>(n) + 64.0)
+            sort_by_counting(frame, points);
+        else
+            sort_by_digits(frame, points);
+        close_cells();
+        for (int axis = 0; axis < Dim; ++axis) x_[axis].resize(n);
+        parallel_for(n, [&](std::size_t k) {
+            for (int axis = 0; axis < Dim; ++axis) x_[axis][k] = points[order_[k]][axis];
+        });
+    }
+
+    /// Whether these are the points that were sorted, in the order they were given.
+    bool holds(std::span<const Vec<Dim>> points) const {
+        if (points.size() != order_.size()) return false;
+        for (std::size_t k = 0; k < points.size(); ++k)
+            for (int axis = 0; axis < Dim; ++axis)
+                if (points[order_[k]][axis] != x_[axis][k]) return false;
+        return true;
+    }
+
+    std::size_t size() const { return order_.size(); }
+    Index order(std::size_t k) const { return order_[k]; }
+    const Index* order_data() const { return order_.data(); }
+    const double* x(int axis) const { return x_[axis].data(); }
+    Vec<Dim> position(std::size_t k) const {
+        Vec<Dim> p;
+        for (int axis = 0; axis < Dim; ++axis) p[axis] = x_[axis][k];
+        return p;
+    }
+
+    std::size_t cells() const { return column_.size(); }
+    std::uint32_t column(std::size_t cell) const { return column_[cell]; }
+    /// The points of a cell are first_point(cell) .. first_point(cell + 1).
+    Index first_point(std::size_t cell) const { return first_point_[cell]; }
+
+    std::size_t rows() const { return row_.size(); }
+    std::uint64_t row(std::size_t r) const { return row_[r]; }
+    /// The cells of a row are first_cell(r) .. first_cell(r + 1).
+    Index first_cell(std::size_t r) const { return first_cell_[r]; }
+    /// The first row whose number is not below `number`, or rows().
+    std::size_t row_from(std::uint64_t number) const {
+        return static_cast<std::size_t>(std::ranges::lower_bound(row_, number) - row_.begin());
+    }
+    /// The row that holds a cell.
+    std::size_t row_of(std::size_t cell) const {
+        return static_cast<std::size_t>(std::ranges::upper_bound(first_cell_, cell) -
+                                        first_cell_.begin()) -
+               1;
+    }
+
+    std::size_t memory() const {
+        return size() * (sizeof(Index) + Dim * sizeof(double)) +
+               cells() * (sizeof(Index) + sizeof(std::uint32_t)) +
+               rows() * (sizeof(std::uint64_t) + sizeof(Index));
+    }
+
+private:
+    void clear_cells() {
+        column_.clear();
+        first_point_.clear();
+        row_.clear();
+        first_cell_.clear();
+    }
+    void add_cell(std::uint64_t row, std::uint32_t column, Index first_point) {
+        if (row_.empty() || row_.back() != row) {
+            row_.push_back(row);
+            first_cell_.push_back(static_cast<Index>(column_.size()));
+        }
+        column_.push_back(column);
+        first_point_.push_back(first_point);
+    }
+    void close_cells() {
+        first_point_.push_back(static_cast<Index>(order_.size()));
+        first_cell_.push_back(static_cast<Index>(column_.size()));
+    }
+
+    void sort_by_counting(const CellFrame<Dim>& frame, std::span<const Vec<Dim>> points) {
+        const std::size_t n = points.size();
+        const std::uint32_t columns = frame.cells(0);
+        key_.resize(n);
+        parallel_for(n, [&](std::size_t i) {
+            const auto cell = frame.cell(points[i]);
+            key_[i] = static_cast<Index>(frame.row(cell)) * columns + cell[0];
+        });
+        start_.assign(static_cast<std::size_t>(frame.cell_count()) + 1, 0);
+        for (const Index key : key_) ++start_[key + 1];
+        for (std::size_t c = 0; c + 1 < start_.size(); ++c) {
+            if (start_[c + 1] != 0)
+                add_cell(c / columns, static_cast<std::uint32_t>(c % columns), start_[c]);
+            start_[c + 1] += start_[c];
+        }
+        for (std::size_t i = 0; i < n; ++i) order_[start_[key_[i]]++] = static_cast<Index>(i);
+    }
+
+    struct Placed {
+        std::array<std::uint32_t, Dim> cell;
+        Index point;
+    };
+
+    /// Stable counting sorts by 11 bits at a time, from the lowest digit of the first axis.
+    void sort_by_digits(const CellFrame<Dim>& frame, std::span<const Vec<Dim>> points) {
+        constexpr int digit = 11;
+        const std::size_t n = points.size();
+        std::vector<Placed> placed(n), sorted(n);
+        parallel_for(n, [&](std::size_t i) {
+            placed[i] = {frame.cell(points[i]), static_cast<Index>(i)};
+        });
+        for (int axis = 0; axis < Dim; ++axis)
+            for (int shift = 0; shift < 32 && (frame.cells(axis) - 1) >> shift != 0;
+                 shift += digit) {
+                const auto digit_of = [&](const Placed& p) {
+                    return p.cell[axis] >> shift & ((1u << digit) - 1);
+                };
+                std::array<Index, (1u << digit) + 1> start{};
+                for (const Placed& p : placed) ++start[digit_of(p) + 1];
+                std::partial_sum(start.begin(), start.end(), start.begin());
+                for (const Placed& p : placed) sorted[start[digit_of(p)]++] = p;
+                placed.swap(sorted);
+            }
+        for (std::size_t k = 0; k < n; ++k) {
+            order_[k] = placed[k].point;
+            if (k == 0 || placed[k].cell != placed[k - 1].cell)
+                add_cell(frame.row(placed[k].cell), placed[k].cell[0], static_cast<Index>(k));
+        }
+    }
+
+    std::vector<Index> order_;                // point k in this order was given as order_[k]
+    std::array<std::vector<double>, Dim> x_;  // coordinates in this order
+    std::vector<std::uint32_t> column_;       // of each cell
+    std::vector<Index> first_point_;          // of each cell, and the end
+    std::vector<std::uint64_t> row_;          // ascending
+    std::vector<Index> first_cell_;           // of each row, and the end
+    std::vector<Index> key_, start_;          // kept: new memory costs more than the sort
+};
+
+}  // namespace plumbline
