@@ -53,7 +53,8 @@ public:
         radius_ = radius;
         grid_ = {space_, Spacing == HashSpacing::diameter ? 2.0 * radius : radius};
         const auto n = points.size();
-        const std::size_t table_size = prime_from(static_cast<std::size_t>(n / load_));
+        const std::size_t table_size =
+            prime_from(static_cast<std::size_t>(static_cast<double>(n) / load_));
         std::vector<std::size_t> bucket(n);
         parallel_for(
             n, [&](std::size_t i) { bucket[i] = hash<Dim>(grid_.cell(points[i]), table_size); });
