@@ -8,7 +8,7 @@ namespace {
 using namespace plumbline;
 using verification::for_each_search;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <int Dim> Points<Dim> first_points(std::size_t n) {
     Points<Dim> points;
@@ -53,9 +53,9 @@ TEMPLATE_TEST_CASE_SIG("searches: bad input is refused", "", ((int Dim), Dim), 1
     const Points<Dim> good = first_points<Dim>(5);
     for_each_search<Dim>([&](auto search) {
         INFO(search.name);
-        for (const double radius : {0.0, -1.0, nan, infinity, 1e-160, 1e160})
+        for (const double radius : {0.0, -1.0, not_a_number, infinity, 1e-160, 1e160})
             CHECK_THROWS_AS(search.build(good, radius), InvalidInput);
-        for (const double coordinate : {nan, infinity, -infinity, 1e160}) {
+        for (const double coordinate : {not_a_number, infinity, -infinity, 1e160}) {
             Points<Dim> bad = good;
             bad[3][Dim - 1] = coordinate;
             CHECK_THROWS_AS(search.build(bad, 1.0), InvalidInput);
