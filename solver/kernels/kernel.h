@@ -27,9 +27,11 @@ template <RadialKernel K> Vec<K::dim> gradient(const K& w, const Vec<K::dim>& x)
     return w.derivative(r) / r * x;
 }
 
-/// Δω(‖x‖) = ω″(r) + (dim − 1) ω′(r) / r, for r > 0.
+/// Δω(‖x‖) = ω″(r) + (dim − 1) ω′(r) / r, and at r = 0 its limit dim ω″(0); where the kernel has a kink
+/// there, the Laplacian does not exist and is taken as 0, like the gradient.
 /// adams2009 Eq. 11 prints Δω = ω″, which is true in one dimension only: erratum 17.
 template <RadialKernel K> double laplacian(const K& w, double r) {
+    if (r == 0.0) return w.derivative(0.0) == 0.0 ? K::dim * w.second_derivative(0.0) : 0.0;
     return w.second_derivative(r) + (K::dim - 1) * w.derivative(r) / r;
 }
 
