@@ -1,4 +1,6 @@
 #include "reports/commands/command.h"
+#include "reports/interrupt.h"
+#include "reports/provenance.h"
 #include "solver/foundation/errors.h"
 #include "solver/foundation/parallel.h"
 
@@ -13,6 +15,8 @@ int code(ExitCode exit) { return static_cast<int>(exit); }
 }  // namespace
 
 int main(int argc, char** argv) {
+    reports::remember_command_line(argc, argv);
+    reports::note_interrupts();
     CLI::App app{"Plumbline: is the method right, what does accuracy cost, where does it break?"};
     app.require_subcommand(1);
     app.fallthrough();
@@ -35,6 +39,9 @@ int main(int argc, char** argv) {
     } catch (const plumbline::InvalidInput& e) {
         std::fprintf(stderr, "plumbline: %s\n", e.what());
         return code(ExitCode::bad_input);
+    } catch (const reports::Interrupted& e) {
+        std::fprintf(stderr, "plumbline: %s\n", e.what());
+        return code(ExitCode::interrupted);
     } catch (const std::exception& e) {
         std::fprintf(stderr, "plumbline: %s\n", e.what());
         return code(ExitCode::crashed);

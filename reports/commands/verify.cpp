@@ -1,0 +1,145 @@
+#include "reports/commands/command.h"
+#include "reports/json.h"
+#include "reports/junit.h"
+#include "reports/measurements.h"
+#include "reports/select.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+namespace reports {
+namespace {
+using namespace verification;
+
+struct Options {
+    std::vector<std::string> patterns;
+    std::string tag, json, junit;
+    bool mutants = false;
+    double seconds_per_claim = 120.0;
+};
+
+int badness(const ClaimResult& r) {
+    switch (r.verdict) {
+        case Verdict::failed:
+            return 2;
+        case Verdict::toothless:
+            return 1;
+        default:
+            return 0;
+    }
+}
+
+std::string short_number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.2e}", value) : fmt::format("{}", value);
+}
+
+void print_table(std::vector<ClaimResult> results) {
+    std::ranges::stable_sort(results, std::ranges::greater{}, badness);
+    fmt::print("{:<10} {:<58} {:>9}  {:<22} {:>9}  {}\n", "verdict", "claim", "measured", "bound",
+               "sabotaged", "source");
+    for (const ClaimResult& r : results) {
+        fmt::print("{:<10} {:<58} {:>9}  {:<22} {:>9}  {} {}\n", name_of(r.verdict), r.claim.id,
+                   short_number(r.measured),
+                   fmt::format("[{}, {}]", short_number(r.claim.bound.low),
+                               short_number(r.claim.bound.high)),
+                   r.sabotaged ? short_number(*r.sabotaged) : "-", name_of(r.claim.source.paper),
+                   r.claim.source.place);
+        if (badness(r) == 0) continue;
+        fmt::print("           {}\n           bound: {}\n", r.claim.says, r.claim.bound.why);
+        if (!r.error.empty()) fmt::print("           error: {}\n", r.error);
+    }
+}
+
+void print_mutants(const std::vector<Mutant>& all) {
+    fmt::print("{:<8} {:<8} {:<24} {}\n", "erratum", "caught", "where", "by");
+    for (const Mutant& m : all) {
+        std::string by;
+        for (const ClaimResult& r : m.claims) {
+            if (!r.sabotaged || r.claim.bound.holds(*r.sabotaged)) continue;
+            by += fmt::format("{}{} ({} -> {})", by.empty() ? "" : ", ", r.claim.id,
+                              short_number(*r.sabotaged), short_number(r.measured));
+        }
+        fmt::print("{:<8} {:<8} {:<24} {}\n", m.erratum.number, m.caught() ? "yes" : "NO",
+                   fmt::format("{} {}", name_of(m.erratum.source.paper), m.erratum.source.place),
+                   by);
+    }
+}
+
+Json json_of_mutants(const std::vector<Mutant>& all) {
+    Json rows = Json::array();
+    for (const Mutant& m : all) {
+        Json row = json_of(m.erratum);
+        row["caught"] = m.caught();
+        for (const ClaimResult& r : m.claims) row["claims"].push_back(r.claim.id);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::string summary(const std::vector<ClaimResult>& results) {
+    const auto count = [&](Verdict v) {
+        return std::ranges::count(results, v, &ClaimResult::verdict);
+    };
+    double seconds = 0.0;
+    for (const ClaimResult& r : results) seconds += r.seconds;
+    return fmt::format("{} claims: {} verified, {} failed, {} toothless, in {:.1f} s\n",
+                       results.size(), count(Verdict::verified), count(Verdict::failed),
+                       count(Verdict::toothless), seconds);
+}
+
+ExitCode verify(const Options& options) {
+    const auto selected = select(claims(), options.patterns, options.tag);
+    if (selected.empty()) {
+        fmt::print(stderr, "plumbline: no claim matches; `plumbline list claims` names them\n");
+        return ExitCode::inconclusive;
+    }
+    const auto results = measure_all(selected, options.seconds_per_claim);
+    const auto printed_forms = mutants(results);
+    if (!options.json.empty()) {
+        Json json = document("claims", json_array(results));
+        if (options.mutants) json["mutants"] = json_of_mutants(printed_forms);
+        write_json(json, options.json);
+    }
+    if (!options.junit.empty()) {
+        std::ofstream file(options.junit);
+        file << junit_of(results);
+        if (!file.flush()) throw std::runtime_error("cannot write " + options.junit);
+    }
+    if (options.json != "-") {
+        if (options.mutants)
+            print_mutants(printed_forms);
+        else
+            print_table(results);
+    }
+    fmt::print(stderr, "{}", summary(results));
+    const bool sound =
+        std::ranges::all_of(results, [](const ClaimResult& r) { return passed(r.verdict); });
+    const bool all_caught = !options.mutants || std::ranges::all_of(printed_forms, &Mutant::caught);
+    return sound && all_caught ? ExitCode::ok : ExitCode::check_failed;
+}
+
+const RegisterCommand command{
+    {"verify", "measure the claims and judge them: a table, the worst first",
+     [](CLI::App& app) -> std::function<ExitCode()> {
+         const auto options = std::make_shared<Options>();
+         app.add_option("pattern", options->patterns,
+                        "part of an id, or with the wildcards of a shell; all if none is given");
+         app.add_option("--tag", options->tag, "only claims with this tag");
+         app.add_option("--json", options->json, "write the results to this file, - for stdout")
+             ->expected(0, 1)
+             ->default_str("-");
+         app.add_option("--junit", options->junit, "write the results as JUnit XML to this file");
+         app.add_flag("--mutants", options->mutants,
+                      "which claim catches which formula as printed; one that none catches fails");
+         app.add_option("--time-limit", options->seconds_per_claim,
+                        "seconds that one claim may take")
+             ->check(CLI::PositiveNumber)
+             ->capture_default_str();
+         return [options] { return verify(*options); };
+     }}};
+}  // namespace
+}  // namespace reports

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "reports/provenance.h"
+#include "verification/framework/claim.h"
+#include "verification/framework/registry.h"
+#include "verification/framework/study.h"
+
+#include <nlohmann/json.hpp>
+
+#include <span>
+
+namespace reports {
+
+using Json = nlohmann::ordered_json;
+
+/// The number, or null where JSON has none for it: NaN and both infinities.
+Json number(double value);
+
+Json json_of(const Provenance& provenance);
+Json json_of(const verification::Source& source);
+Json json_of(const verification::Bound& bound);
+Json json_of(const verification::ClaimResult& result);
+Json json_of(const verification::StudyResult& result);
+Json json_of(const verification::Erratum& erratum);
+
+/// {"schema": "plumbline.KIND/1", "provenance": {...}, KIND: results}
+Json document(const std::string& kind, Json results);
+
+template <class Results> Json json_array(const Results& results) {
+    Json all = Json::array();
+    for (const auto& result : results) all.push_back(json_of(result));
+    return all;
+}
+
+/// Writes to stdout if `target` is "-", else to that file.
+/// Throws std::runtime_error if the file cannot be written.
+void write_json(const Json& json, const std::string& target);
+
+}  // namespace reports
