@@ -1,0 +1,82 @@
+#include "reports/charts/chart.h"
+
+#include "reports/charts/gnuplot.h"
+#include "reports/files.h"
+#include "solver/foundation/errors.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+namespace {
+using reports::Chart;
+
+Chart example() {
+    return {
+        .finding = "MLS \"a_b\" beats <SPH> & {others} at every spacing that was tried in this run",
+        .x = {"spacing", "m", true},
+        .y = {"error_of_f", "1", true},
+        .series = {{.name = "sph_1, \"raw\"",
+                    .x = {0.1, 0.05, 0.025},
+                    .y = {0.02, 0.021, 0.0205},
+                    .y_range = {{0.01, 0.03}, {0.02, 0.022}, {-1.0, 0.03}},
+                    .failures = {0.0125}},
+                   {.name = "mls", .x = {0.1, 0.05, 0.025}, .y = {0.01, NAN, 0.0}}},
+        .slopes = {1, 2},
+        .caption = "",
+        .alt = "two series",
+        .command = "plumbline converge"};
+}
+
+std::filesystem::path fresh_directory(const char* name) {
+    const auto directory = std::filesystem::temp_directory_path() / name;
+    std::filesystem::remove_all(directory);
+    return directory;
+}
+}  // namespace
+
+TEST_CASE("a chart becomes an SVG, a PNG and a table twin") {
+    const auto files = reports::draw(example(), fresh_directory("plumbline_drawn"), "example");
+    const std::string svg = reports::read_file(files.svg);
+    CHECK(svg.find("<title>MLS \"a_b\" beats &lt;SPH&gt; &amp; {others}") != std::string::npos);
+    CHECK(svg.find("error_of_f [1]") != std::string::npos);
+    CHECK(reports::read_file(files.png).substr(1, 3) == "PNG");
+    CHECK(reports::read_file(files.csv) ==
+          "series,x,x_low,x_high,y,y_low,y_high,status\n"
+          "\"sph_1, \"\"raw\"\"\",0.10000000000000001,0.10000000000000001,0.10000000000000001,0.02,"
+          "0.01,0.029999999999999999,ok\n"
+          "\"sph_1, \"\"raw\"\"\",0.050000000000000003,0.050000000000000003,0.050000000000000003,"
+          "0.021000000000000001,0.02,0.021999999999999999,ok\n"
+          "\"sph_1, \"\"raw\"\"\",0.025000000000000001,0.025000000000000001,0.025000000000000001,"
+          "0.020500000000000001,-1,0.029999999999999999,ok\n"
+          "\"sph_1, \"\"raw\"\"\",0.012500000000000001,,,,,,failed\n"
+          "mls,0.10000000000000001,0.10000000000000001,0.10000000000000001,0.01,0.01,0.01,ok\n"
+          "mls,0.050000000000000003,0.050000000000000003,0.050000000000000003,nan,nan,nan,failed\n"
+          "mls,0.025000000000000001,0.025000000000000001,0.025000000000000001,0,0,0,ok\n");
+}
+
+TEST_CASE("a chart with lists of different lengths, or with nothing to show, is refused") {
+    Chart uneven = example();
+    uneven.series[0].y.pop_back();
+    CHECK_THROWS_AS(reports::draw(uneven, fresh_directory("plumbline_refused"), "x"),
+                    plumbline::InvalidInput);
+    Chart empty = example();
+    empty.series.clear();
+    CHECK_THROWS_AS(reports::draw(empty, fresh_directory("plumbline_refused"), "x"),
+                    plumbline::InvalidInput);
+    Chart linear = example();
+    linear.y.log = false;
+    CHECK_THROWS_AS(reports::draw(linear, fresh_directory("plumbline_refused"), "x"),
+                    plumbline::InvalidInput);
+}
+
+TEST_CASE("the first 32 series can be told apart without colour") {
+    std::set<std::tuple<std::string, int, std::string>> styles;
+    for (int k = 0; k < 32; ++k) {
+        const auto s = reports::style_of(k);
+        styles.emplace(s.colour, s.marker, s.dash);
+    }
+    CHECK(styles.size() == 32);
+}
