@@ -36,6 +36,14 @@ void split(const SourceText& text, std::string_view line, std::vector<std::strin
 std::string counted(std::size_t n, const std::string& noun) {
     return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
+std::string without_doubled_quotes(std::string_view field) {
+    std::string text;
+    for (std::size_t i = 0; i < field.size(); ++i) {
+        text += field[i];
+        if (field.substr(i).starts_with("\"\"")) ++i;
+    }
+    return text;
+}
 }  // namespace
 
 std::string digits17(double value) {
@@ -91,7 +99,7 @@ CsvRows::CsvRows(const SourceText& text) : text_{text}, lines_{text.bytes()} {
         if (name.empty()) text.reject(name, "a name for each column", "an empty one");
         if (std::ranges::find(header_, name) != header_.end())
             text.reject(name, "each column once", in_quotes(name) + " twice");
-        header_.emplace_back(name);
+        header_.push_back(without_doubled_quotes(name));
     }
 }
 
@@ -125,7 +133,7 @@ CsvTable CsvTable::read(const std::filesystem::path& path) {
     table.columns_.resize(table.header_.size());
     while (const auto* fields = rows.next())
         for (std::size_t c = 0; c < fields->size(); ++c)
-            table.columns_[c].emplace_back((*fields)[c]);
+            table.columns_[c].push_back(without_doubled_quotes((*fields)[c]));
     return table;
 }
 

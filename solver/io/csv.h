@@ -33,7 +33,7 @@ private:
 };
 
 /// The rows of a CSV text one after the other: blank lines and lines that begin with `#` are
-/// skipped, quotes around a field are dropped (a doubled quote within one stays doubled).
+/// skipped, quotes around a field are dropped, quotes within the fields of a row stay doubled.
 class CsvRows {
 public:
     /// Reads the header. Throws InvalidInput if there is none, or one name is empty or comes twice.

@@ -196,7 +196,8 @@ PointFile read_vertices(const SourceText& text, Body& body, const Element& verte
         text.reject(vertex.name, "a scalar property \"" + missing + "\" of the element vertex",
                     "none of that name");
     if (vertex.count == 0) text.reject(vertex.name, "at least one vertex", "none");
-    if (vertex.count > most_points) text.reject(vertex.name, "at most 4294967294 vertices");
+    if (vertex.count > most_points)
+        text.reject(vertex.name, "at most 4294967294 vertices", std::to_string(vertex.count));
 
     PointTable table(names);
     for (std::size_t row = 0; row < vertex.count; ++row) {

@@ -93,7 +93,8 @@ private:
             boost::property_tree::read_xml(stream, root_);
         } catch (const boost::property_tree::xml_parser_error& e) {
             throw InvalidInput(text_.name() + ":" + std::to_string(e.line()) +
-                               ": expected well-formed XML, found: " + e.message());
+                               ": expected well-formed XML, found text that is not (" +
+                               e.message() + ")");
         }
     }
 
@@ -102,21 +103,28 @@ private:
         const std::size_t pieces = data ? data->count("Piece") : 0;
         if (pieces != 1) text_.reject_at("PolyData", "exactly one <Piece>", std::to_string(pieces));
         piece_ = &data->get_child("Piece");
-        const std::string count = attribute(*piece_, "NumberOfPoints", "");
-        const SourceText source(text_.name() + ": NumberOfPoints", count);
-        n_ = source.count(source.bytes());
-        if (n_ == 0) text_.reject_at("NumberOfPoints", "at least one point", "0");
-        if (n_ > most_points) text_.reject_at("NumberOfPoints", "at most 4294967294", count);
+        n_ = count_attribute(*piece_, "NumberOfPoints", "", "Piece", 1, most_points);
+    }
+
+    static std::string place_of(const std::string& array) { return "DataArray \"" + array + "\""; }
+
+    std::size_t count_attribute(const Tree& node, const std::string& name,
+                                const std::string& otherwise, const std::string& place,
+                                std::size_t least, std::size_t most) const {
+        const std::string found = attribute(node, name, otherwise);
+        const auto count = parsed_count(found);
+        if (!count || *count < least || *count > most)
+            text_.reject_at(place,
+                            name + " from " + std::to_string(least) + " to " + std::to_string(most),
+                            in_quotes(found));
+        return *count;
     }
 
     void add_columns(const Tree& array, PointFile& file) const {
         const std::string name = attribute(array, "Name", "");
         if (attribute(array, "type", "") == "String") return;
-        const SourceText source(text_.name() + ": DataArray \"" + name + "\": NumberOfComponents",
-                                attribute(array, "NumberOfComponents", "1"));
-        const std::size_t components = source.count(source.bytes());
-        if (components == 0 || components > 1000)
-            source.reject(source.bytes(), "between 1 and 1000");
+        const std::size_t components =
+            count_attribute(array, "NumberOfComponents", "1", place_of(name), 1, 1000);
         const std::vector<double> all = values(array, components, name);
         for (std::size_t c = 0; c < components; ++c) {
             const std::string column = components == 1 ? name : name + "_" + std::to_string(c);
@@ -131,7 +139,7 @@ private:
     /// The n × components finite values of one <DataArray>.
     std::vector<double> values(const Tree& array, std::size_t components,
                                const std::string& name) const {
-        const std::string place = "DataArray \"" + name + "\"";
+        const std::string place = place_of(name);
         const std::string format = attribute(array, "format", "ascii");
         std::vector<double> found;
         if (format == "ascii")
@@ -174,11 +182,9 @@ private:
 
     /// What follows from the offset of this array on; its own length tells where it ends.
     std::string appended_from(const Tree& array, const std::string& place) const {
-        const SourceText source(text_.name() + ": " + place + ": offset",
-                                attribute(array, "offset", ""));
-        const std::size_t offset = source.count(source.bytes());
-        if (offset >= appended_.size())
-            text_.reject_at(place, "an offset into the appended data", std::to_string(offset));
+        if (appended_.empty()) text_.reject_at(place, "<AppendedData>", "none");
+        const std::size_t offset =
+            count_attribute(array, "offset", "", place, 0, appended_.size() - 1);
         std::string_view rest = appended_.substr(offset);
         if (raw_) return std::string(rest);
         // Whole arrays follow one another: decode up to the end of this one only.

@@ -107,12 +107,9 @@ double SourceText::finite_number(std::string_view part) const {
 }
 
 std::size_t SourceText::count(std::string_view part) const {
-    part = trimmed(part);
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc{} || end != part.data() + part.size())
-        reject(part, "a count (an integer that is not negative)");
-    return value;
+    const auto value = parsed_count(part);
+    if (!value) reject(trimmed(part), "a count (an integer that is not negative)");
+    return *value;
 }
 
 std::optional<std::string_view> Lines::next() {
@@ -143,6 +140,14 @@ std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(blanks);
     if (first == text.npos) return text.substr(0, 0);
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::optional<std::size_t> parsed_count(std::string_view text) {
+    text = trimmed(text);
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
 }
 
 std::vector<std::string_view> words(std::string_view text) {

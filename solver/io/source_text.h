@@ -36,7 +36,7 @@ public:
     /// `part`, blanks around it aside, as a number, whatever the locale; rejects anything else,
     /// infinities, NaN and what a double cannot hold.
     double finite_number(std::string_view part) const;
-    /// As above for a non-negative integer.
+    /// As above for a whole number that is not negative.
     std::size_t count(std::string_view part) const;
 
 private:
@@ -62,6 +62,8 @@ private:
 std::string in_quotes(std::string_view text);
 /// `text` without the blanks at both ends; still a view into the same bytes.
 std::string_view trimmed(std::string_view text);
+/// A whole number that is not negative, blanks around it aside; empty for any other text.
+std::optional<std::size_t> parsed_count(std::string_view text);
 /// The parts of `text` between blanks.
 std::vector<std::string_view> words(std::string_view text);
 

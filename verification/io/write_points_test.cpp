@@ -1,6 +1,6 @@
+#include "solver/io/write_points.h"
 #include "solver/foundation/random.h"
 #include "solver/io/read_points.h"
-#include "solver/io/write_points.h"
 
 #include <catch2/catch.hpp>
 
@@ -75,4 +75,27 @@ TEST_CASE("points come back from every format with the same bits", "[io]") {
                 CHECK(same_bits(read.column("f"), written.columns[0].values));
                 CHECK(same_bits(read.column("mass"), written.columns[1].values));
             }
+}
+
+TEST_CASE("columns that no file could give back are refused", "[io]") {
+    using Column = PointColumn;
+    const auto message = [](const Column& column, const Format& format) -> std::string {
+        std::ostringstream out;
+        try {
+            format.write(out, {2, {0, 1, 2, 3}, {{"f", {4, 5}}, column}});
+        } catch (const InvalidInput& e) {
+            return e.what();
+        }
+        return "accepted";
+    };
+    const std::string own = "expected a name of its own for each column, found ";
+    for (const Format& format : formats) {
+        CHECK(message({"g", {1}}, format) ==
+              "column \"g\": expected 2 values, one per point, found 1");
+        CHECK(message({"", {1, 2}}, format) == own + "\"\"");
+        CHECK(message({"f", {1, 2}}, format) == own + "\"f\" twice");
+        CHECK(message({"y", {1, 2}}, format) == own + "\"y\" twice");
+    }
+    CHECK(message({"a b", {1, 2}}, formats[1]) ==
+          "a PLY file: expected a name without blanks, found \"a b\"");
 }
