@@ -19,7 +19,12 @@ constexpr std::size_t fewest_levels = 4;
 /// An error that falls more slowly does not fall.
 constexpr double flat_order = 0.25;
 
+bool is_flat(const PowerLaw& fit) {
+    return -flat_order < fit.confidence.low && fit.confidence.high < flat_order;
+}
+
 bool is_saturated(const PowerLaw& fit) {
+    if (is_flat(fit)) return true;
     const double steepest = std::ranges::max(fit.local_orders);
     return fit.floor > saturated_share * fit.error.back() && fit.floor_confidence.low > 0.0 &&
            fit.local_orders.back() < std::max(0.5 * steepest, flat_order);
@@ -131,7 +136,7 @@ std::optional<double> common_floor(const std::vector<SeriesResult>& series) {
     }
     if (floors.size() < 2) return {};
     const auto [low, high] = std::ranges::minmax(floors);
-    if (high > same_floor * low) return {};
+    if (!(low > 0.0) || high > same_floor * low) return {};
     return median(floors);
 }
 

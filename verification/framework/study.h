@@ -39,7 +39,8 @@ struct Study {
 
 /// The verdict on a series whose errors follow `fit`.
 /// - saturated: a floor, told from zero by its interval, makes up more than half of the finest error,
-///   and the last step falls at less than half of the steepest rate;
+///   and the last step falls at less than half of the steepest rate; or the order is between -1/4
+///   and 1/4, by its whole interval;
 /// - verified, failed: the whole interval of the order is inside the bound, outside of it;
 /// - not in asymptotic range: it straddles the bound, and the levels do not lie on a line; or it is
 ///   inside, but the last step leaves the bound. Finer levels are needed, more seeds would not help;

@@ -8,7 +8,8 @@ set(solver_files_without_claims
     "foundation/errors.h: one exception type, whose messages verification/reports/bad_input_test.cpp reads"
     "approximation/samples.h: a view without code")
 # "file: why no single file of the solver stands behind it".
-set(verification_files_without_method)
+set(verification_files_without_method
+    "approximation/convergence_studies.cpp: compares all methods")
 
 function(check_exceptions folder entries)
     foreach(entry ${${entries}})
