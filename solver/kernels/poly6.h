@@ -1,46 +1,53 @@
 #pragma once
 
+#include "solver/foundation/twofold.h"
 #include "solver/kernels/kernel.h"
+#include "solver/kernels/support.h"
 
 #include <numbers>
 
 namespace plumbline {
 
-/// ω(r) = σ (1 − q²)³ with q = r / h; smooth, never negative, flat at the centre.
-/// adams2009 Eqs. 86–88 (dim 3) and 89–91 (dim 2); one σ serves ω and both derivatives.
+/// ω(r) = σ (1 − q²)³ with q = r / h; smooth inside, twice continuously differentiable at the rim, never
+/// negative, flat at the centre (so that close particles hardly repel each other).
+/// adams2009 Eqs. 86–88 (dim 3) and 89–91 (dim 2), there from Müller et al. 2003.
 template <int Dim>
-requires(Dim == 2 || Dim == 3) class Poly6 {
+requires(1 <= Dim && Dim <= 3) class Poly6 {
 public:
     static constexpr std::string_view name = "poly6";
     static constexpr int dim = Dim;
 
-    /// Throws InvalidInput unless support > 0 [m].
-    explicit Poly6(double support) : h_{support} {
-        if (!(support > 0.0)) throw InvalidInput("Poly6: support must be positive");
-        constexpr double pi = std::numbers::pi;
-        sigma_ = Dim == 2 ? 4.0 / (pi * h_ * h_) : 315.0 / (64.0 * pi * h_ * h_ * h_);
-    }
+    /// Throws InvalidInput unless 1e-50 ≤ support ≤ 1e50 [m].
+    explicit Poly6(double support)
+        : h_{name, support},
+          c0_{h_.factor(sigma(), Dim, 6)},
+          c1_{h_.factor(-6 * sigma(), Dim, 5, 1)},
+          c2_{h_.factor(6 * sigma(), Dim, 4, 2)} {}
 
-    double support() const { return h_; }
+    double support() const { return h_.radius(); }
 
-    double value(double r) const {  // Eqs. 86, 89
-        const double s = one_minus_q_squared(r);
-        return sigma_ * s * s * s;
+    double value(double r) const {  // σ (1 − q²)³, Eqs. 86, 89
+        const double h = h_.scaled(), x = h_.clamp(r);
+        const double s = rounded_product(difference(h, x), sum(h, x));
+        return c0_ * (s * s * s);
     }
-    double derivative(double r) const {  // Eqs. 87, 90
-        const double s = one_minus_q_squared(r);
-        return -6.0 * sigma_ / h_ * (r / h_) * s * s;
+    double derivative(double r) const {  // −6 σ q (1 − q²)², Eqs. 87, 90
+        const double h = h_.scaled(), x = h_.clamp(r), s = (h - x) * (h + x);
+        return c1_ * x * (s * s);
     }
-    double second_derivative(double r) const {  // Eqs. 88, 91
-        const double s = one_minus_q_squared(r);
-        return 6.0 * sigma_ / (h_ * h_) * s * (4.0 - 5.0 * s);
+    double second_derivative(double r) const {  // 6 σ (1 − q²)(5 q² − 1), Eqs. 88, 91
+        const double h = h_.scaled(), x = h_.clamp(r), s = (h - x) * (h + x);
+        return c2_ * s * (5.0 * x * x - h * h);
     }
 
 private:
-    double one_minus_q_squared(double r) const { return r < h_ ? 1.0 - (r / h_) * (r / h_) : 0.0; }
+    static constexpr long double sigma() {
+        constexpr long double pi = std::numbers::pi_v<long double>;
+        return Dim == 1 ? 35 / 32.0L : Dim == 2 ? 4 / pi : 315 / (64 * pi);
+    }
 
-    double h_;
-    double sigma_;
+    Support h_;
+    double c0_, c1_, c2_;
 };
 
 }  // namespace plumbline
