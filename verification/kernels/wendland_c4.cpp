@@ -1,0 +1,53 @@
+#include "solver/kernels/wendland_c4.h"
+
+#include "verification/framework/registry.h"
+#include "verification/kernels/kernel_claims.h"
+
+#include <boost/math/constants/constants.hpp>
+
+namespace {
+using namespace plumbline;
+using namespace verification;
+using boost::math::constants::pi;
+
+/// As in Wendland 1995, φ_{1,2} in 1D and φ_{3,2} in 2D and 3D, normalised.
+template <int Dim> struct WendlandC4Formula {
+    static constexpr int rim_order = Dim == 1 ? 5 : 6;
+    static constexpr bool singular = false;
+
+    template <class Real> static Real sigma() {
+        return Dim == 1 ? Real(3) / 2 : Dim == 2 ? 9 / pi<Real>() : 495 / (32 * pi<Real>());
+    }
+    template <class Real> static Real P(const Real& q) {
+        using std::pow;
+        if (Dim == 1) return pow(1 - q, 5) * (1 + 5 * q + 8 * q * q);
+        return pow(1 - q, 6) * (1 + 6 * q + 35 * q * q / 3);
+    }
+
+    template <class Real> static Real value(const Real& d, const Real& h) {
+        using std::pow;
+        return sigma<Real>() / pow(h, Dim) * P<Real>(d / h);
+    }
+    template <class Real> static Real derivative(const Real& d, const Real& h) {
+        using std::pow;
+        const Real q = d / h;
+        const Real slope = Dim == 1 ? Real(-14 * q * (1 + 4 * q) * pow(1 - q, 4))
+                                    : Real(-56 * q * (1 + 5 * q) * pow(1 - q, 5) / 3);
+        return sigma<Real>() / pow(h, Dim + 1) * slope;
+    }
+    template <class Real> static Real second_derivative(const Real& d, const Real& h) {
+        using std::pow;
+        const Real q = d / h;
+        const Real curvature = Dim == 1 ? Real(-14 * pow(1 - q, 3) * (1 + 3 * q - 24 * q * q))
+                                        : Real(-56 * pow(1 - q, 4) * (1 + 4 * q - 35 * q * q) / 3);
+        return sigma<Real>() / pow(h, Dim + 2) * curvature;
+    }
+    static Real50 second_moment() {
+        const auto at_unit_support = [](const Real50& q) { return P(q); };
+        return second_moment_of<Dim>(at_unit_support);
+    }
+};
+
+const Register standard_claims{
+    kernel_claims<WendlandC4, WendlandC4Formula>({Paper::literature, "Wendland 1995"})};
+}  // namespace
