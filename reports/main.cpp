@@ -12,6 +12,16 @@ namespace {
 using reports::ExitCode;
 
 int code(ExitCode exit) { return static_cast<int>(exit); }
+
+/// CLI11 says only that a command is missing, even where one was mistyped.
+int explain_missing_command(const std::vector<std::string>& found) {
+    std::string expected;
+    for (const reports::Command& command : reports::commands()) expected += " " + command.name;
+    const std::string what =
+        found.empty() ? "no command given" : "no command \"" + found.front() + "\"";
+    std::fprintf(stderr, "plumbline: %s; expected one of:%s\n", what.c_str(), expected.c_str());
+    return code(ExitCode::bad_input);
+}
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -35,6 +45,8 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
+        if (e.get_name() == "RequiredError" && app.get_subcommands().empty())
+            return explain_missing_command(app.remaining());
         return app.exit(e) == 0 ? code(ExitCode::ok) : code(ExitCode::bad_input);
     } catch (const plumbline::InvalidInput& e) {
         std::fprintf(stderr, "plumbline: %s\n", e.what());

@@ -1,3 +1,4 @@
+#include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/json.h"
 #include "reports/junit.h"
@@ -131,13 +132,15 @@ const RegisterCommand command{
          app.add_option("--tag", options->tag, "only claims with this tag");
          app.add_option("--json", options->json, "write the results to this file, - for stdout")
              ->expected(0, 1)
-             ->default_str("-");
-         app.add_option("--junit", options->junit, "write the results as JUnit XML to this file");
+             ->default_str("-")
+             ->check(output_file());
+         app.add_option("--junit", options->junit, "write the results as JUnit XML to this file")
+             ->check(output_file());
          app.add_flag("--mutants", options->mutants,
                       "which claim catches which formula as printed; one that none catches fails");
          app.add_option("--time-limit", options->seconds_per_claim,
                         "seconds that one claim may take")
-             ->check(CLI::PositiveNumber)
+             ->check(positive_number())
              ->capture_default_str();
          return [options] { return verify(*options); };
      }}};
