@@ -24,7 +24,7 @@ public:
         : h_{name, support},
           inner_{coefficients({26, 50, 20, -20, -20, 10})},
           middle_{coefficients({1, 5, 10, 10, 5, -5})},
-          c0_{h_.factor(sigma(), Dim, 5)},
+          c0_{h_.factor(243 * sigma(), Dim, 5)},
           c1_{h_.factor(-15 * sigma(), Dim, 4, 1)},
           c2_{h_.factor(180 * sigma(), Dim, 3, 2)} {}
 
@@ -34,8 +34,8 @@ public:
         const double h = h_.scaled(), x = h_.clamp(r);
         if (3.0 * x < h) return polynomial(inner_, std::fma(-3.0, x, h));
         if (3.0 * x < 2.0 * h) return polynomial(middle_, std::fma(-3.0, x, 2.0 * h));
-        const double m = 3.0 * (h - x), m2 = m * m;
-        return c0_ * (m2 * m2 * m);
+        const double t = h - x, t2 = t * t;
+        return c0_ * (t2 * t2 * t);  // (3 − s)⁵ = 243 (1 − q)⁵
     }
     double derivative(double r) const {
         const double h = h_.scaled(), x = h_.clamp(r), s = 3.0 * x;
