@@ -1,0 +1,248 @@
+#include "benchmarks/approximation/frontier.h"
+
+#include "benchmarks/approximation/frontier_methods.h"
+#include "solver/approximation/density.h"
+#include "solver/foundation/parallel.h"
+#include "solver/neighbours/cell_grid.h"
+#include "verification/framework/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace benchmarks {
+
+namespace {
+using namespace plumbline;
+using verification::Effort;
+using verification::Franke;
+using verification::Quantity;
+
+struct Plan {
+    std::vector<double> supports;  // in spacings; 1.5 is too small for most methods
+    std::vector<int> samples_per_metre;
+    std::size_t places;
+    int rounds;
+};
+
+Plan plan_of(Effort effort) {
+    if (effort == Effort::quick) return {{1.5, 2.0, 2.5, 3.5}, {20, 40, 80, 160}, 1000, 15};
+    return {{1.5, 2.0, 2.5, 3.0, 3.5, 4.5}, {20, 40, 80, 160, 320}, 2000, 25};
+}
+
+/// One thread, so that methods are compared and not schedules; what was set is put back.
+class OneThread {
+public:
+    OneThread() { set_thread_count(1); }
+    ~OneThread() { set_thread_count(before_); }
+    OneThread(const OneThread&) = delete;
+    OneThread& operator=(const OneThread&) = delete;
+
+private:
+    int before_ = thread_count();
+};
+
+double error_of(const Situation& s, Quantity quantity, std::span<const double> answers) {
+    double squares = 0;
+    for (std::size_t k = 0; k < s.places.size(); ++k) {
+        const Vec<2>& x = s.places[k];
+        switch (quantity) {
+            case Quantity::value:
+                squares += std::pow(answers[k] - Franke::value(x), 2);
+                break;
+            case Quantity::gradient:
+                squares += (Vec<2>(answers[2 * k], answers[2 * k + 1]) - Franke::gradient(x))
+                               .squaredNorm();
+                break;
+            case Quantity::laplacian:
+                squares += std::pow(answers[k] - Franke::laplacian(x), 2);
+                break;
+        }
+    }
+    return std::sqrt(squares / static_cast<double>(s.places.size()));
+}
+
+double median_seconds(int rounds, const std::function<void()>& work) {
+    std::vector<double> seconds;
+    for (int round = 0; round < rounds; ++round) seconds.push_back(seconds_of(work));
+    return summarise(seconds).median_s;
+}
+
+struct SampleCosts {
+    double search_s, volumes_s;  // per sample
+};
+SampleCosts sample_costs(const Situation& s, int rounds) {
+    const auto n = static_cast<double>(s.x.size());
+    const double search = median_seconds(rounds, [&] {
+        CellGrid<2> grid;
+        grid.build(s.x, s.support);
+        const NeighbourLists lists = grid.query(s.x);
+    });
+    double all_volumes = 0;
+    FrontierKernels::with<2>(s.kernel, s.support, [&](const auto& w) {
+        all_volumes = median_seconds(rounds, [&] {
+            const auto V = volumes(w, std::span<const Vec<2>>(s.x), std::span<const double>(s.m),
+                                   s.neighbours);
+        });
+    });
+    return {search / n, all_volumes / n};
+}
+
+/// What one method takes, run by run.
+struct Runs {
+    std::vector<double> evaluation, precomputation, application;
+};
+
+Timing per_place(const std::vector<double>& seconds, const Situation& s) {
+    const Timing all = summarise(seconds);
+    const auto n = static_cast<double>(s.places.size());
+    return {all.median_s / n, all.mad_s / n};
+}
+
+void time_once(const PreparedMethod& method, std::vector<double>& out, Runs& runs) {
+    runs.evaluation.push_back(seconds_of([&] { method.evaluate(out); }));
+    if (!method.precompute) return;
+    runs.precomputation.push_back(seconds_of(method.precompute));
+    // Lagrangian use applies many times: what is timed is not the first time.
+    constexpr int applications = 10;
+    method.apply(out);
+    runs.application.push_back(seconds_of([&] {
+                                   for (int k = 0; k < applications; ++k) method.apply(out);
+                               }) /
+                               applications);
+}
+
+struct Measured {
+    std::vector<Candidate> candidates;
+    std::vector<double> differences;  // of the A/A comparison, relative
+};
+
+/// All methods on one situation, in turns, every other round backwards. The first method runs a
+/// second time, under no name: what its two medians differ by is noise.
+Measured measure_situation(const Situation& s, Quantity quantity, const Plan& plan) {
+    std::vector<PreparedMethod> methods = sph_methods(s, quantity);
+    for (PreparedMethod& method : mls_methods(s, quantity)) methods.push_back(std::move(method));
+    const SampleCosts costs = sample_costs(s, 3);
+    std::vector<double> out(s.places.size() * static_cast<std::size_t>(components_of(quantity)));
+
+    Measured result;
+    for (const PreparedMethod& method : methods) {
+        Candidate c{};
+        c.method = method.name;
+        c.kernel = s.kernel;
+        c.support_in_spacings = s.support / s.spacing;
+        c.samples_per_metre = static_cast<int>(std::lround(1.0 / s.spacing));
+        c.places = s.places.size();
+        c.mean_neighbours =
+            static_cast<double>(s.rows.indices.size()) / static_cast<double>(c.places);
+        c.failures = method.evaluate(out);
+        c.error = error_of(s, quantity, out);
+        c.search_s = costs.search_s;
+        c.volumes_s = method.reads_volumes ? costs.volumes_s : 0.0;
+        result.candidates.push_back(std::move(c));
+    }
+
+    std::vector<std::size_t> order{methods.size()};  // the second run of the first method
+    for (std::size_t k = 0; k < methods.size(); ++k) order.push_back(k);
+    std::vector<Runs> runs(methods.size() + 1);
+    for (int round = 0; round < plan.rounds; ++round) {
+        for (const std::size_t k : order) time_once(methods[k % methods.size()], out, runs[k]);
+        std::ranges::reverse(order);
+    }
+    for (std::size_t k = 0; k < methods.size(); ++k) {
+        Candidate& c = result.candidates[k];
+        c.evaluation = per_place(runs[k].evaluation, s);
+        if (runs[k].application.empty()) continue;
+        c.precomputation = per_place(runs[k].precomputation, s);
+        c.application = per_place(runs[k].application, s);
+    }
+    const double a = summarise(runs.front().evaluation).median_s;
+    const double again = summarise(runs.back().evaluation).median_s;
+    result.differences.push_back(std::abs(a - again) / std::min(a, again));
+    return result;
+}
+
+Trend trend_of(const std::vector<const Candidate*>& levels) {
+    std::vector<double> spacing;
+    std::vector<std::vector<double>> errors;
+    for (const Candidate* c : levels) {
+        if (c->failed()) return Trend::unclear;
+        spacing.push_back(1.0 / c->samples_per_metre);
+        errors.push_back({c->error});
+    }
+    const verification::Study::Series falling{
+        "", verification::at_least(0.25, "an error that falls more slowly does not fall")};
+    const auto fit = verification::fit_power_law(spacing, errors, 1.0);
+    switch (verification::judge(falling, fit)) {
+        case verification::Verdict::verified:
+            return Trend::falls;
+        case verification::Verdict::saturated:
+            return Trend::saturated;
+        case verification::Verdict::failed:
+            return Trend::grows;
+        default:
+            return Trend::unclear;
+    }
+}
+
+void set_trends(std::vector<Candidate>& candidates) {
+    using Curve = std::tuple<std::string, std::string, double>;
+    std::map<Curve, std::vector<const Candidate*>> curves;
+    for (const Candidate& c : candidates)
+        curves[{c.method, c.kernel, c.support_in_spacings}].push_back(&c);
+    for (Candidate& c : candidates)
+        c.trend = trend_of(curves.at({c.method, c.kernel, c.support_in_spacings}));
+}
+
+/// The value below which 95 % of them are.
+double most_of(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[static_cast<std::size_t>(0.95 * static_cast<double>(values.size() - 1))];
+}
+}  // namespace
+
+std::string_view name_of(Trend trend) {
+    switch (trend) {
+        case Trend::falls:
+            return "falls";
+        case Trend::saturated:
+            return "saturated";
+        case Trend::grows:
+            return "grows";
+        case Trend::unclear:
+            return "unclear";
+    }
+    return "";
+}
+
+Frontier measure_frontier(Quantity quantity, Effort effort,
+                          const std::function<void(double)>& between_steps) {
+    const OneThread one_thread;
+    const Plan plan = plan_of(effort);
+    const auto kernels = FrontierKernels::names<2>();
+    const double steps =
+        static_cast<double>(kernels.size() * plan.supports.size() * plan.samples_per_metre.size());
+    Frontier frontier{quantity, {}, 0.0, {}, {}};
+    std::vector<double> differences;
+    double step = 0;
+    for (const std::string_view kernel : kernels)
+        for (const double support : plan.supports)
+            for (const int n : plan.samples_per_metre) {
+                if (between_steps) between_steps(step++ / steps);
+                const Situation s(quantity, std::string(kernel), support, n, plan.places);
+                Measured measured = measure_situation(s, quantity, plan);
+                for (Candidate& c : measured.candidates)
+                    frontier.candidates.push_back(std::move(c));
+                for (const double d : measured.differences) differences.push_back(d);
+            }
+    set_trends(frontier.candidates);
+    frontier.noise = most_of(std::move(differences));
+    for (const std::size_t k : pareto_front(frontier.candidates, &Candidate::per_field_s))
+        frontier.candidates[k].on_front = true;
+    frontier.precomputed = precomputed_ratios(frontier.candidates, frontier.noise);
+    frontier.finding = finding_of(frontier.candidates, frontier.noise);
+    return frontier;
+}
+
+}  // namespace benchmarks

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "benchmarks/framework/timing.h"
+#include "verification/framework/approximation_errors.h"
+#include "verification/framework/study.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace benchmarks {
+
+/// How the error of one method, kernel and h/spacing changes with the spacing.
+enum class Trend { falls, saturated, grows, unclear };
+std::string_view name_of(Trend trend);
+
+/// One method with one kernel, one h/spacing and one number of samples: what it costs, what it gives.
+/// All times on one thread.
+struct Candidate {
+    std::string method, kernel;
+    double support_in_spacings;
+    int samples_per_metre;
+    double mean_neighbours;
+    double error;          // root mean square over the places, in the unit of the quantity
+    std::size_t failures;  // places without an answer, or with a singular moment matrix; of ...
+    std::size_t places;
+    Trend trend;
+    double search_s, volumes_s;  // per sample: neighbours; densities, if the method reads them
+    Timing evaluation;           // per place
+    std::optional<Timing> precomputation, application;  // per place
+    bool on_front = false;  // no other candidate is as cheap per field and as accurate
+
+    bool failed() const { return failures > 0 || !(error < HUGE_VAL); }
+    /// Search, densities and evaluation, per place [s].
+    double per_place_s() const { return search_s + volumes_s + evaluation.median_s; }
+    /// The same for all samples of the unit square [s].
+    double per_field_s() const { return per_place_s() * samples_per_metre * samples_per_metre; }
+};
+
+/// adams2009 Sec. 3, 3.1: with shape functions computed once, MLS is "as efficient as" SPH. Measured
+/// as time of the dot products over time of the SPH sum of the same neighbours.
+struct PrecomputedRatio {
+    std::string method;
+    double over_sph_sum;            // median over kernels, h/spacing and numbers of samples
+    double lowest, highest;         // of the same
+    double over_precomputed_sph;    // both as dot products
+    double precomputation_in_sums;  // what the shape functions cost, in SPH sums
+    std::string verdict;            // "holds" up to the noise, or "does not hold"
+};
+
+struct Frontier {
+    verification::Quantity quantity;
+    std::vector<Candidate> candidates;
+    double noise;  // relative: 95 % of the A/A comparisons differ by less
+    std::vector<PrecomputedRatio> precomputed;
+    std::string finding;  // one sentence, from the numbers
+};
+
+/// Measures all methods for one quantity: Franke's function on jittered samples, 2D. Errors do not
+/// depend on the number of threads, nor on the run. `between_steps`, called with a share in [0, 1], may
+/// throw to end it.
+Frontier measure_frontier(verification::Quantity quantity, verification::Effort effort,
+                          const std::function<void(double)>& between_steps = {});
+
+/// Of those that did not fail: neither cost(c) nor the error can be had lower without raising the
+/// other. By ascending cost.
+std::vector<std::size_t> pareto_front(const std::vector<Candidate>& candidates,
+                                      const std::function<double(const Candidate&)>& cost);
+
+/// Of every precomputed method that is not SPH, over the SPH sum that was timed in turns with it.
+std::vector<PrecomputedRatio> precomputed_ratios(const std::vector<Candidate>& candidates,
+                                                 double noise);
+
+/// "MLS 2 is 40x cheaper than SPH Eq. 3 at 1e-02": per field, at the smallest error of the series 1,
+/// 2, 5, 10 that SPH attains; below `noise`, "cannot tell".
+std::string finding_of(const std::vector<Candidate>& candidates, double noise);
+
+}  // namespace benchmarks

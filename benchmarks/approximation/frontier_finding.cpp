@@ -1,0 +1,128 @@
+#include "benchmarks/approximation/frontier.h"
+#include "verification/framework/statistics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace benchmarks {
+
+namespace {
+bool is_sph(const Candidate& c) { return c.method.starts_with("SPH") || c.method == "Brookshaw"; }
+
+/// The smallest of … 1, 2, 5, 10, 20, … that is not below `error`.
+double round_up(double error) {
+    const double decade = std::pow(10.0, std::floor(std::log10(error)));
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * decade >= error) return digit * decade;
+    return 10.0 * decade;
+}
+
+/// The cheapest per field of those that `may` be taken and reach `error`; none if there is none.
+template <class May>
+const Candidate* cheapest(const std::vector<Candidate>& candidates, double error, May may) {
+    const Candidate* best = nullptr;
+    for (const Candidate& c : candidates)
+        if (!c.failed() && c.error <= error && may(c) &&
+            (!best || c.per_field_s() < best->per_field_s()))
+            best = &c;
+    return best;
+}
+
+const Candidate* most_accurate(const std::vector<Candidate>& candidates, bool sph) {
+    const Candidate* best = nullptr;
+    for (const Candidate& c : candidates)
+        if (!c.failed() && is_sph(c) == sph && (!best || c.error < best->error)) best = &c;
+    return best;
+}
+
+std::string verdict_on(double ratio, double noise) {
+    return ratio <= 1.0 + noise ? "holds" : "does not hold";
+}
+
+/// The candidates that were timed in turns, on the same neighbours.
+using Situations = std::map<std::tuple<std::string, double, int>, std::vector<const Candidate*>>;
+
+Situations by_situation(const std::vector<Candidate>& candidates) {
+    Situations all;
+    for (const Candidate& c : candidates)
+        all[{c.kernel, c.support_in_spacings, c.samples_per_metre}].push_back(&c);
+    return all;
+}
+}  // namespace
+
+std::vector<std::size_t> pareto_front(const std::vector<Candidate>& candidates,
+                                      const std::function<double(const Candidate&)>& cost) {
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+        if (!candidates[k].failed()) order.push_back(k);
+    std::ranges::sort(order, {}, [&](std::size_t k) {
+        return std::pair(cost(candidates[k]), candidates[k].error);
+    });
+    std::vector<std::size_t> front;
+    for (const std::size_t k : order)
+        if (front.empty() || candidates[k].error < candidates[front.back()].error)
+            front.push_back(k);
+    return front;
+}
+
+std::vector<PrecomputedRatio> precomputed_ratios(const std::vector<Candidate>& candidates,
+                                                 double noise) {
+    struct Ratios {
+        std::vector<double> over_sum, over_precomputed, precomputation;
+    };
+    std::map<std::string, Ratios> ratios;
+    for (const auto& [key, group] : by_situation(candidates)) {
+        const Candidate& sph = *group.front();  // Eq. 3, 9 or 11: the plain sum
+        if (!is_sph(sph) || !sph.application) continue;
+        for (const Candidate* c : group) {
+            if (!c->application || is_sph(*c)) continue;
+            Ratios& r = ratios[c->method];
+            r.over_sum.push_back(c->application->median_s / sph.evaluation.median_s);
+            r.over_precomputed.push_back(c->application->median_s / sph.application->median_s);
+            r.precomputation.push_back(c->precomputation->median_s / sph.evaluation.median_s);
+        }
+    }
+    std::vector<PrecomputedRatio> all;
+    for (const auto& [method, r] : ratios) {
+        const auto [low, high] = std::ranges::minmax(r.over_sum);
+        const double middle = verification::median(r.over_sum);
+        all.push_back({method, middle, low, high, verification::median(r.over_precomputed),
+                       verification::median(r.precomputation), verdict_on(middle, noise)});
+    }
+    return all;
+}
+
+std::string finding_of(const std::vector<Candidate>& candidates, double noise) {
+    const Candidate *sph = most_accurate(candidates, true),
+                    *best = most_accurate(candidates, false);
+    if (!sph || !best) return "no method of both kinds gave an answer: nothing to compare";
+    const double target = round_up(sph->error);
+    const Candidate* a = cheapest(candidates, target, is_sph);
+    const Candidate* b =
+        cheapest(candidates, target, [](const Candidate& c) { return !is_sph(c); });
+    std::string finding;
+    if (!b) {
+        finding = fmt::format("only SPH reaches {:.0e}, {} for {:.1e} s", target, a->method,
+                              a->per_field_s());
+    } else {
+        const double ratio = a->per_field_s() / b->per_field_s();
+        const auto [cheap, dear] = ratio >= 1.0 ? std::pair(b, a) : std::pair(a, b);
+        const double factor = std::max(ratio, 1.0 / ratio);
+        if (factor <= 1.0 + noise)
+            finding = fmt::format("whether {} or {} is cheaper at {:.0e}, this machine cannot tell",
+                                  b->method, a->method, target);
+        else
+            finding = fmt::format("{} is {:.2g}x cheaper than {} at {:.0e}", cheap->method, factor,
+                                  dear->method, target);
+    }
+    if (best->error < 0.5 * sph->error)
+        finding += fmt::format("; SPH ends at {:.0e}, {} at {:.0e}", sph->error, best->method,
+                               best->error);
+    return finding;
+}
+
+}  // namespace benchmarks

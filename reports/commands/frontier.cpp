@@ -1,0 +1,85 @@
+#include "reports/commands/command.h"
+#include "reports/frontier_report.h"
+#include "reports/interrupt.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace reports {
+namespace {
+using benchmarks::Candidate;
+using benchmarks::Frontier;
+
+struct Options {
+    std::vector<std::string> tasks{"approximation", "gradient"};
+    std::string json, directory;
+    bool quick = false;
+};
+
+void print_row(const Candidate& c) {
+    fmt::print("{:<12} {:<14} {:>8.1f} {:>8} {:>10.1f} {:>10.2e} {:>12.3e} {:>12.3e} {:<10}\n",
+               c.method, c.kernel, c.support_in_spacings, c.samples_per_metre, c.mean_neighbours,
+               c.error, c.per_place_s(), c.per_field_s(), name_of(c.trend));
+}
+
+void print(const Frontier& frontier) {
+    fmt::print("{}: {}\n\n", task_of(frontier.quantity), frontier.finding);
+    fmt::print("{:<12} {:<14} {:>8} {:>8} {:>10} {:>10} {:>12} {:>12} {:<10}\n", "Pareto front",
+               "kernel", "h/dx", "1/dx", "neighbours", "error", "s per place", "s per field",
+               "trend");
+    for (const std::size_t k :
+         benchmarks::pareto_front(frontier.candidates, &Candidate::per_field_s))
+        print_row(frontier.candidates[k]);
+    const auto failed =
+        std::ranges::count_if(frontier.candidates, [](const Candidate& c) { return c.failed(); });
+    fmt::print("\n{} of {} combinations failed; A/A noise {:.1f} %\n\n", failed,
+               frontier.candidates.size(), 100.0 * frontier.noise);
+    fmt::print("as efficient as SPH once the shape functions are computed (adams2009 Sec. 3.1)?\n");
+    fmt::print("{:<12} {:>14} {:>10} {:>10} {:>20} {:>18} {}\n", "method", "over SPH sum", "lowest",
+               "highest", "over precomputed SPH", "to compute, in sums", "verdict");
+    for (const benchmarks::PrecomputedRatio& r : frontier.precomputed)
+        fmt::print("{:<12} {:>14.2f} {:>10.2f} {:>10.2f} {:>20.2f} {:>18.1f} {}\n", r.method,
+                   r.over_sph_sum, r.lowest, r.highest, r.over_precomputed_sph,
+                   r.precomputation_in_sums, r.verdict);
+    fmt::print("\n");
+}
+
+ExitCode frontier(const Options& options) {
+    using verification::Effort;
+    std::vector<verification::Quantity> quantities;
+    for (const std::string& task : options.tasks) quantities.push_back(quantity_of(task));
+    Json results = Json::array();
+    for (const verification::Quantity quantity : quantities) {
+        const Frontier measured =
+            benchmarks::measure_frontier(quantity, options.quick ? Effort::quick : Effort::full,
+                                         [](double) { stop_if_interrupted(); });
+        results.push_back(json_of(measured));
+        if (options.json != "-") print(measured);
+        if (options.directory.empty()) continue;
+        for (const NamedChart& named : charts_of(measured)) {
+            const DrawnChart files = draw(named.chart, options.directory, named.name);
+            fmt::print(stderr, "wrote {}\n", files.svg.string());
+        }
+    }
+    if (!options.json.empty()) write_json(document("frontiers", std::move(results)), options.json);
+    return ExitCode::ok;
+}
+
+const RegisterCommand command{
+    {"frontier", "error against time of every method for a task, and the Pareto front",
+     [](CLI::App& app) -> std::function<ExitCode()> {
+         const auto options = std::make_shared<Options>();
+         app.add_option("task", options->tasks, "approximation, gradient, laplacian")
+             ->capture_default_str();
+         app.add_flag("--quick", options->quick, "fewer supports, samples and repetitions");
+         app.add_option("--json", options->json, "write the results to this file, - for stdout")
+             ->expected(0, 1)
+             ->default_str("-");
+         app.add_option("-o,--output", options->directory, "draw charts into this folder");
+         return [options] { return frontier(*options); };
+     }}};
+}  // namespace
+}  // namespace reports

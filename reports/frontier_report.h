@@ -1,0 +1,27 @@
+#pragma once
+
+#include "benchmarks/approximation/frontier.h"
+#include "reports/charts/chart.h"
+#include "reports/json.h"
+
+namespace reports {
+
+/// The word of the command line: approximation, gradient, laplacian.
+std::string task_of(verification::Quantity quantity);
+/// Throws InvalidInput, naming the tasks there are, if `task` is none.
+verification::Quantity quantity_of(const std::string& task);
+
+Json json_of(const benchmarks::Candidate& candidate);
+Json json_of(const benchmarks::PrecomputedRatio& ratio);
+Json json_of(const benchmarks::Frontier& frontier);
+
+/// A chart and the name of its files.
+struct NamedChart {
+    std::string name;
+    Chart chart;
+};
+/// Error against the time for all samples of the unit square, with the Pareto front; and error
+/// against the time per place, evaluated anew and with shape functions computed once.
+std::vector<NamedChart> charts_of(const benchmarks::Frontier& frontier);
+
+}  // namespace reports
