@@ -13,7 +13,8 @@ struct WeightedMean {
     double value, weights;
 };
 
-/// Empty where the weights sum to 0.
+/// Empty where the weights sum to 0. A sample of infinite weight, at x with a singular kernel, outweighs
+/// all others.
 template <RadialKernel K>
 std::optional<WeightedMean> weighted_mean(const K& w, const Samples<K::dim>& s,
                                           std::span<const double> f, const Place<K::dim>& at) {
@@ -24,13 +25,18 @@ std::optional<WeightedMean> weighted_mean(const K& w, const Samples<K::dim>& s,
         weighted += weight * f[j];
     }
     if (!(weights > 0.0)) return std::nullopt;
-    return WeightedMean{weighted / weights, weights};
+    if (weights < HUGE_VAL) return WeightedMean{weighted / weights, weights};
+    double n = 0.0, total = 0.0;
+    for (const Index j : at.neighbours)
+        if (s.x[j] == at.x) n += 1.0, total += f[j];
+    return WeightedMean{total / n, weights};
 }
 
 /// ⟨f⟩(x) = Σⱼ Φⱼ fⱼ with Φⱼ = ω(‖x − xⱼ‖) Vⱼ / Σₖ ω(‖x − xₖ‖) Vₖ
 /// Shepard 1968; adams2009, text after Eq. 7: not the same as Eq. 3 with mⱼ = 1 (erratum 29), but
 /// MLS of order 0. `f`: n samples of unit U; result [U]. Exact for constant f; within the range of
-/// the neighbours' f. Empty where no sample is near: the weights sum to 0.
+/// the neighbours' f. Takes the value fⱼ at xⱼ if the kernel is singular (Sec. 2.1). Empty where no
+/// sample is near: the weights sum to 0.
 template <RadialKernel K>
 std::optional<double> shepard(const K& w, const Samples<K::dim>& s, std::span<const double> f,
                               const Place<K::dim>& at) {
@@ -41,13 +47,13 @@ std::optional<double> shepard(const K& w, const Samples<K::dim>& s, std::span<co
 
 /// ∇⟨f⟩(x) = Σⱼ (fⱼ − ⟨f⟩(x)) ∇ω(x − xⱼ) Vⱼ / Σₖ ω(‖x − xₖ‖) Vₖ
 /// The exact derivative of `shepard`, by the quotient rule [U/m]. Zero to rounding for constant f; not
-/// exact for linear f. Empty where `shepard` is.
+/// exact for linear f. Empty where `shepard` is, and at a sample if the kernel is singular.
 template <RadialKernel K>
 std::optional<Vec<K::dim>> shepard_gradient(const K& w, const Samples<K::dim>& s,
                                             std::span<const double> f, const Place<K::dim>& at) {
     using V = Vec<K::dim>;
     const auto mean = weighted_mean(w, s, f, at);
-    if (!mean) return std::nullopt;
+    if (!mean || mean->weights == HUGE_VAL) return std::nullopt;
     const V weighted = sum<V>(at.neighbours, [&](Index j) -> V {
         return (f[j] - mean->value) * s.V[j] * gradient(w, V(at.x - s.x[j]));
     });
@@ -56,7 +62,7 @@ std::optional<Vec<K::dim>> shepard_gradient(const K& w, const Samples<K::dim>& s
 
 /// Δ⟨f⟩(x) = Σⱼ ((fⱼ − ⟨f⟩) Δω(‖x − xⱼ‖) − 2 ∇⟨f⟩ · ∇ω(x − xⱼ)) Vⱼ / Σₖ ω(‖x − xₖ‖) Vₖ
 /// The exact Laplacian of `shepard`, by the quotient rule [U/m²]. Zero to rounding for constant f; not
-/// exact for linear f. Empty where `shepard` is.
+/// exact for linear f. Empty where `shepard_gradient` is.
 template <RadialKernel K>
 std::optional<double> shepard_laplacian(const K& w, const Samples<K::dim>& s,
                                         std::span<const double> f, const Place<K::dim>& at) {
