@@ -18,17 +18,19 @@ struct WeightedMean {
 template <RadialKernel K>
 std::optional<WeightedMean> weighted_mean(const K& w, const Samples<K::dim>& s,
                                           std::span<const double> f, const Place<K::dim>& at) {
+    const auto weight = [&](Index j) { return w.value((at.x - s.x[j]).norm()) * s.V[j]; };
     double weights = 0.0, weighted = 0.0;
     for (const Index j : at.neighbours) {
-        const double weight = w.value((at.x - s.x[j]).norm()) * s.V[j];
-        weights += weight;
-        weighted += weight * f[j];
+        const double w_j = weight(j);
+        weights += w_j;
+        weighted += w_j * f[j];
     }
     if (!(weights > 0.0)) return std::nullopt;
     if (weights < HUGE_VAL) return WeightedMean{weighted / weights, weights};
     double n = 0.0, total = 0.0;
     for (const Index j : at.neighbours)
-        if (s.x[j] == at.x) n += 1.0, total += f[j];
+        if (weight(j) == HUGE_VAL) n += 1.0, total += f[j];
+    if (n == 0.0) return std::nullopt;
     return WeightedMean{total / n, weights};
 }
 

@@ -17,8 +17,8 @@ double divergence_summation(const K& w, const Samples<K::dim>& s, std::span<cons
 }
 
 /// (∇·f)(xᵢ) ≈ Σⱼ (fⱼ − fᵢ) · ∇ω(xᵢ − xⱼ) Vⱼ                                 adams2009 Eq. 14
-/// `f`: n vectors of unit U; result [U/m]. Exactly zero for constant f; not exact for linear f, nor
-/// zero for a rigid rotation on disordered samples.
+/// `f`: n vectors of unit U; result [U/m]. Exactly zero for constant f and, to rounding, for rigid
+/// rotations; not exact for other linear f.
 template <RadialKernel K>
 double divergence_difference(const K& w, const Samples<K::dim>& s, std::span<const Vec<K::dim>> f,
                              Index i) {
