@@ -4,6 +4,7 @@
 #include "solver/foundation/sum.h"
 #include "solver/kernels/kernel.h"
 
+#include <cmath>
 #include <optional>
 
 namespace plumbline {
