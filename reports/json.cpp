@@ -32,6 +32,7 @@ Json json_of(const SeriesResult& s) {
             {"expected", reports::json_of(s.expected_order)},
             {"expected_saturation", s.expected_saturation},
             {"sabotaged", s.sabotaged},
+            {"level_errors", numbers(s.fit.error)},
             {"floor", number(s.fit.floor)},
             {"local_orders", numbers(s.fit.local_orders)},
             {"grid_convergence_index", number(s.fit.grid_convergence_index)},

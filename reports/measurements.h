@@ -1,20 +1,35 @@
 #pragma once
 
+#include "reports/interrupt.h"
+#include "reports/progress.h"
+#include "reports/watchdog.h"
 #include "verification/framework/registry.h"
 
+#include <type_traits>
 #include <vector>
 
 namespace reports {
+
+/// The result of `measure_one` for each entry, one after the other, with progress; Ctrl-C ends it with
+/// Interrupted, and an entry that crashes or takes longer than `seconds_each` ends the program, named.
+template <class Entry, class Measure>
+auto one_by_one(const std::vector<Entry>& entries, double seconds_each, Measure measure_one) {
+    std::vector<std::invoke_result_t<Measure, const Entry&>> results;
+    Progress progress(entries.size());
+    Watchdog watchdog(seconds_each);
+    for (const Entry& entry : entries) {
+        stop_if_interrupted();
+        progress.step(entry.id);
+        watchdog.watch(entry.id);
+        results.push_back(measure_one(entry));
+    }
+    return results;
+}
 
 /// Measures the claims one after the other, with progress; Ctrl-C ends it with Interrupted, and a
 /// claim that crashes or takes longer than `seconds_per_claim` ends the program, named.
 std::vector<verification::ClaimResult> measure_all(const std::vector<verification::Claim>& claims,
                                                    double seconds_per_claim);
-
-/// The same for studies.
-std::vector<verification::StudyResult> run_all(const std::vector<verification::Study>& studies,
-                                               verification::Effort effort,
-                                               double seconds_per_study);
 
 /// Whether everything that `verdict` says of its claim or series is in its favour.
 bool passed(verification::Verdict verdict);

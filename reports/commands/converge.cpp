@@ -1,8 +1,9 @@
-#include "reports/charts/study_chart.h"
+#include "reports/charts/chart_json.h"
 #include "reports/commands/command.h"
 #include "reports/json.h"
-#include "reports/measurements.h"
 #include "reports/select.h"
+#include "reports/study_pieces.h"
+#include "reports/words.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -21,45 +22,50 @@ struct Options {
     double seconds_per_study = 3600.0;
 };
 
-std::string joined(const std::vector<double>& values, const char* format) {
+std::string joined(const Json& values, const char* format) {
     std::string text;
-    for (const double v : values)
-        text += fmt::format("{}{}", text.empty() ? "" : " ", fmt::format(fmt::runtime(format), v));
+    for (const Json& v : values)
+        text +=
+            fmt::format("{}{}", text.empty() ? "" : " ",
+                        v.is_number() ? fmt::format(fmt::runtime(format), v.get<double>()) : "-");
     return text;
 }
 
-void print_table(const StudyResult& result) {
-    fmt::print("\n{}: {}\n  {}, {} levels of spacing {}, {} seeds, {:.1f} s\n", result.study.id,
-               result.study.says, result.study.quantity, result.spacing.size(),
-               joined(result.spacing, "{:.4g}"), result.seeds, result.seconds);
-    if (!result.error.empty()) fmt::print("  error: {}\n", result.error);
-    if (!result.warning.empty()) fmt::print("  {}\n", result.warning);
-    for (const SeriesResult& s : result.series) {
-        const std::string expected =
-            s.expected_saturation
-                ? "to saturate"
-                : fmt::format("in [{:.2f}, {:.2f}]", s.expected_order.low, s.expected_order.high);
-        fmt::print(
-            "  {:<24} {:<34} order {:5.2f} in [{:5.2f}, {:5.2f}], expected {:<18} errors {}\n",
-            name_of(s.verdict), s.name + (s.sabotaged ? " (sabotaged)" : ""), s.fit.order,
-            s.fit.confidence.low, s.fit.confidence.high, expected, joined(s.fit.error, "{:.2e}"));
-        if (s.verdict == Verdict::verified) continue;
-        fmt::print("    expected because {}; floor {:.2e}, local orders {}\n", s.expected_order.why,
-                   s.fit.floor, joined(s.fit.local_orders, "{:.2f}"));
-    }
+void print_series(const Json& s) {
+    const std::string expected =
+        s["expected_saturation"].get<bool>() ? "to saturate" : bound_in_words(s["expected"]);
+    fmt::print("  {:<24} {:<34} order {} in [{}], expected {:<18} errors {}\n",
+               s["verdict"].get<std::string>(),
+               s["name"].get<std::string>() + (s["sabotaged"].get<bool>() ? " (sabotaged)" : ""),
+               short_number(s["order"]), joined(s["confidence"], "{:.2f}"), expected,
+               joined(s["level_errors"], "{:.2e}"));
+    if (s["verdict"] == "verified") return;
+    fmt::print("    expected because {}; floor {}, local orders {}\n",
+               s["expected"]["why"].get<std::string>(), short_number(s["floor"]),
+               joined(s["local_orders"], "{:.2f}"));
+}
+
+void print_table(const Json& study) {
+    fmt::print("\n{}: {}\n  {}, {} levels of spacing {}, {} seeds, {:.1f} s\n",
+               study["id"].get<std::string>(), study["says"].get<std::string>(),
+               study["quantity"].get<std::string>(), study["spacing"].size(),
+               joined(study["spacing"], "{:.4g}"), study["seeds"].get<int>(),
+               study["seconds"].get<double>());
+    for (const char* remark : {"error", "warning"})
+        if (study.contains(remark))
+            fmt::print("  {}: {}\n", remark, study[remark].get<std::string>());
+    for (const Json& s : study["series"]) print_series(s);
 }
 
 /// A study that cannot be told is not a pass: inconclusive and the like give exit code 3.
-ExitCode judge(const std::vector<StudyResult>& results) {
+ExitCode judge(const Json& studies) {
     ExitCode exit = ExitCode::ok;
-    for (const StudyResult& result : results) {
-        if (!result.error.empty()) return ExitCode::check_failed;
-        for (const SeriesResult& s : result.series) {
-            if (passed(s.verdict)) continue;
-            const bool undecided =
-                s.verdict == Verdict::inconclusive || s.verdict == Verdict::not_in_asymptotic_range;
-            if (!undecided) return ExitCode::check_failed;
-            exit = ExitCode::inconclusive;
+    for (const Json& study : studies) {
+        if (study.contains("error")) return ExitCode::check_failed;
+        for (const Json& series : study["series"]) {
+            const std::string colour = colour_class(series["verdict"]);
+            if (colour == "bad") return ExitCode::check_failed;
+            if (colour == "open") exit = ExitCode::inconclusive;
         }
     }
     return exit;
@@ -71,15 +77,18 @@ ExitCode converge(const Options& options) {
         fmt::print(stderr, "plumbline: no study matches; `plumbline list studies` names them\n");
         return ExitCode::inconclusive;
     }
-    const Effort effort = options.quick ? Effort::quick : Effort::full;
-    const auto results = run_all(selected, effort, options.seconds_per_study);
+    const std::filesystem::path folder = options.folder;
+    Pieces pieces(folder.empty() ? folder : folder / "pieces",
+                  fingerprint(options.quick ? "quick" : "full"));
+    const Json results = run_studies(selected, options.quick ? Effort::quick : Effort::full,
+                                     options.seconds_per_study, pieces);
     if (options.json != "-")
-        for (const StudyResult& result : results) print_table(result);
-    if (!options.json.empty()) write_json(document("studies", json_array(results)), options.json);
-    if (!options.folder.empty())
-        for (const StudyResult& result : results)
-            if (result.error.empty())
-                draw(chart_of(result), options.folder, file_name_of(result.study));
+        for (const Json& study : results) print_table(study);
+    if (!options.json.empty()) write_json(document("studies", results), options.json);
+    if (!folder.empty())
+        for (const Json& study : results)
+            if (study.contains("chart"))
+                draw(chart_from(study["chart"]), folder, study["chart"]["name"]);
     return judge(results);
 }
 
@@ -92,7 +101,8 @@ const RegisterCommand command{
          app.add_option("--tag", options->tag, "only studies with this tag");
          app.add_flag("--quick", options->quick, "only the coarser levels");
          app.add_option("-o,--output", options->folder,
-                        "write a chart (SVG, PNG) and a table (CSV) of each study to this folder");
+                        "write a chart (SVG, PNG) and a table (CSV) of each study to this "
+                        "folder; a run that was interrupted continues from what is there");
          app.add_option("--json", options->json, "write the results to this file, - for stdout")
              ->expected(0, 1)
              ->default_str("-");

@@ -1,57 +1,106 @@
 #include "reports/commands/command.h"
-
+#include "reports/json.h"
+#include "solver/kernels/all_kernels.h"
+#include "solver/particles/samplings.h"
 #include "verification/framework/registry.h"
+#include "verification/framework/traceability.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
+#include <map>
 #include <memory>
 
 namespace reports {
 namespace {
-using nlohmann::ordered_json;
+Json row(const std::string& id, const std::string& source, const std::string& says) {
+    return {{"id", id}, {"source", source}, {"says", says}};
+}
 
-template <class Entries> ordered_json described(const Entries& entries) {
-    ordered_json all = ordered_json::array();
-    for (const auto& e : entries)
-        all.push_back({{"id", e.id},
-                       {"source", fmt::format("{} {}", name_of(e.source.paper), e.source.place)},
-                       {"says", e.says}});
+std::string text_of(const verification::Source& source) {
+    return fmt::format("{} {}", name_of(source.paper), source.place);
+}
+
+template <class Entries> Json described(const Entries& entries) {
+    Json all = Json::array();
+    for (const auto& e : entries) all.push_back(row(e.id, text_of(e.source), e.says));
     return all;
 }
 
-ordered_json listing(const std::string& kind) {
-    if (kind == "claims") return described(verification::claims());
-    return described(verification::studies());
+Json errata() {
+    Json all = Json::array();
+    for (const verification::Erratum& e : verification::errata())
+        all.push_back(row(fmt::format("{}", e.number), text_of(e.source),
+                          fmt::format("printed: {}; corrected: {}", e.printed, e.corrected)));
+    return all;
 }
 
+Json statements() {
+    Json all = Json::array();
+    for (const verification::Statement& s : verification::statements())
+        all.push_back(row(std::string(s.item), std::string(name_of(s.paper)), std::string(s.says)));
+    return all;
+}
+
+Json kernels() {
+    std::map<std::string_view, std::string> dimensions;
+    const auto add = [&](const auto& names, const char* dimension) {
+        for (const std::string_view name : names) dimensions[name] += dimension;
+    };
+    add(plumbline::AllKernels::names<1>(), " 1D");
+    add(plumbline::AllKernels::names<2>(), " 2D");
+    add(plumbline::AllKernels::names<3>(), " 3D");
+    Json all = Json::array();
+    for (const auto& [name, where] : dimensions)
+        all.push_back(row(std::string(name), "solver/kernels", "kernel in" + where));
+    return all;
+}
+
+Json samplings() {
+    Json all = Json::array();
+    for (const auto& s : plumbline::samplings<3>())
+        all.push_back(row(std::string(s.name), "solver/particles", std::string(s.says)));
+    return all;
+}
+
+struct Kind {
+    const char* name;
+    Json (*list)();
+};
+constexpr Kind kinds[] = {{"claims", [] { return described(verification::claims()); }},
+                          {"studies", [] { return described(verification::studies()); }},
+                          {"errata", errata},
+                          {"statements", statements},
+                          {"kernels", kernels},
+                          {"samplings", samplings}};
+
 struct Options {
-    std::string kind;
-    bool json = false;
+    std::string kind, json;
 };
 
 ExitCode list(const Options& options) {
-    ordered_json all;
-    for (const std::string kind : {"claims", "studies"})
-        if (options.kind.empty() || options.kind == kind) all[kind] = listing(kind);
-    if (options.json) {
-        fmt::print("{}\n", all.dump(1));
-        return ExitCode::ok;
-    }
-    for (const auto& [kind, entries] : all.items())
-        for (const auto& e : entries)
-            fmt::print("{:<8} {:<56} {:<28} {}\n", kind, e["id"].get<std::string>(),
-                       e["source"].get<std::string>(), e["says"].get<std::string>());
+    Json all = Json::object();
+    for (const Kind& kind : kinds)
+        if (options.kind.empty() || options.kind == kind.name) all[kind.name] = kind.list();
+    if (!options.json.empty()) write_json(document("list", all), options.json);
+    if (options.json == "-") return ExitCode::ok;
+    for (const auto& [kind, rows] : all.items())
+        for (const Json& r : rows)
+            fmt::print("{:<10} {:<60} {:<30} {}\n", kind, r["id"].get<std::string>(),
+                       r["source"].get<std::string>(), r["says"].get<std::string>());
     return ExitCode::ok;
 }
 
 const RegisterCommand command{
-    {"list", "what there is: claims, studies", [](CLI::App& app) -> std::function<ExitCode()> {
+    {"list", "what there is: claims, studies, errata, statements, kernels, samplings",
+     [](CLI::App& app) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("kind", options->kind, "only this kind")
-             ->check(CLI::IsMember({"claims", "studies"}));
-         app.add_flag("--json", options->json, "as JSON");
+         std::vector<std::string> names;
+         for (const Kind& kind : kinds) names.emplace_back(kind.name);
+         app.add_option("kind", options->kind, "only this kind")->check(CLI::IsMember(names));
+         app.add_option("--json", options->json, "write it to this file, - for stdout")
+             ->expected(0, 1)
+             ->default_str("-");
          return [options] { return list(*options); };
      }}};
 }  // namespace

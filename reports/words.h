@@ -1,0 +1,24 @@
+#pragma once
+
+#include "reports/json.h"
+
+#include <string>
+
+namespace reports {
+
+/// A number for people: "1.23e-05", "12", "0.5"; "none" for null.
+std::string short_number(const Json& value);
+
+/// "≤ 1e-06", "≥ 1", "in [0.9, 2.1]" of a bound as json_of(Bound) gives it.
+std::string bound_in_words(const Json& bound);
+
+/// "1 claim", "3 claims".
+std::string counted(std::size_t n, const std::string& noun);
+
+/// "ok", "bad" or "open" for a word of a verdict: the class of its colour on the page.
+std::string colour_class(const std::string& verdict);
+
+/// How many of `results` have this verdict.
+std::size_t count_verdict(const Json& results, const std::string& verdict);
+
+}  // namespace reports
