@@ -64,7 +64,8 @@ template <int Dim, int Order> struct Neighbourhood {
         Gradient grad_b = Gradient::Zero();
         if (first) grad_b.noalias() = inverse.lazyProduct(moments_times_gradient_of(b));
         Vector laplace_b = Vector::Zero();
-        if (second) laplace_b.noalias() = inverse.lazyProduct(moments_times_laplacian_of(b, grad_b));
+        if (second)
+            laplace_b.noalias() = inverse.lazyProduct(moments_times_laplacian_of(b, grad_b));
         for (std::size_t j = 0; j < size(); ++j) {
             const Vector pj = p(j);
             const double s = b.dot(pj), w = row.phi[j];
@@ -86,7 +87,7 @@ std::optional<Fit> mls_from_weights(std::span<const Vec<Dim>> x, const Place<Dim
                                     ShapeRow<Dim> row) {
     using Basis = PolynomialBasis<Dim, Order>;
     const Neighbourhood<Dim, Order> neighbourhood{x, at, h, row};
-    const auto G = moment_inverse<Basis>(neighbourhood.moments());
+    const auto G = moment_inverse<Basis::size>(neighbourhood.moments(), Basis::degree_ends);
     if (!G) return std::nullopt;
     neighbourhood.turn_weights_into_shape_functions(G->inverse);
     return Fit{Order, G->rank, Basis::size, G->condition};

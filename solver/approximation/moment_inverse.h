@@ -19,8 +19,8 @@ template <class Matrix> struct MomentInverse {
 /// leaves 1e-16 of it, so that six digits of the smallest direction kept are right.
 inline constexpr double moment_cut_off = 1e-10;
 
-/// Up to here Cholesky is used. For symmetric M, ‖M‖₂ ≤ ‖M‖₁ and M₀₀ ≤ ‖M‖₂; so the smallest
-/// eigenvalue is at least 1e-8 M₀₀, and the graded inverse would find full rank as well.
+/// Up to here Cholesky is used. For symmetric M, ‖M⁻¹‖₂ ≤ ‖M⁻¹‖₁ and maxₖ Mₖₖ ≤ ‖M‖₁; so the smallest
+/// eigenvalue is at least 1e-8 maxₖ Mₖₖ, and the graded inverse would find full rank as well.
 inline constexpr double well_conditioned = 1e8;
 
 template <class Matrix> double one_norm(const Matrix& m) {
@@ -55,18 +55,18 @@ template <int N> std::optional<MomentInverse<Mat<N>>> cholesky_inverse(const Mat
 /// share what coplanar samples cannot resolve among all monomials, and off their plane it would
 /// lose even the partition of unity; here constants are exact at every rank, and so is each linear
 /// function that the samples resolve. `degree_ends`: the basis sizes of order 0, 1, …, ending with the
-/// size of M. Empty where not even constants are resolved: no weight, or not finite.
+/// size of M. Empty where the lowest degree is not resolved at all: no weight, or not finite.
 std::optional<MomentInverse<Eigen::MatrixXd>> graded_inverse(const Eigen::MatrixXd& M,
                                                              std::span<const int> degree_ends);
 
 /// The inverse by Cholesky where that is safe, and the graded one elsewhere.
-template <class Basis>
-std::optional<MomentInverse<typename Basis::Matrix>> moment_inverse(
-    const typename Basis::Matrix& M) {
-    if (const auto fast = cholesky_inverse<Basis::size>(M)) return fast;
-    const auto safe = graded_inverse(M, Basis::degree_ends);
+template <int N>
+std::optional<MomentInverse<Mat<N>>> moment_inverse(const Mat<N>& M,
+                                                    std::span<const int> degree_ends) {
+    if (const auto fast = cholesky_inverse<N>(M)) return fast;
+    const auto safe = graded_inverse(M, degree_ends);
     if (!safe) return std::nullopt;
-    return MomentInverse<typename Basis::Matrix>{safe->inverse, safe->rank, safe->condition};
+    return MomentInverse<Mat<N>>{safe->inverse, safe->rank, safe->condition};
 }
 
 }  // namespace plumbline

@@ -1,0 +1,88 @@
+#include "reports/approximation/point_values.h"
+#include "solver/foundation/errors.h"
+
+#include <fmt/format.h>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace reports;
+using plumbline::InvalidInput;
+using plumbline::parse_points;
+
+namespace {
+double field(double x, double y) { return 1 + 2 * x - 3 * y + x * y; }
+
+/// f on a disturbed grid of 11 × 11 points with spacing 0.1; in the plane z = 0.3 if `planar`.
+std::string grid(bool planar = false) {
+    std::string text = planar ? "x,y,z,f\n" : "x,y,f\n";
+    for (int i = 0; i < 11; ++i)
+        for (int j = 0; j < 11; ++j) {
+            const double x = 0.1 * i + 0.01 * std::sin(3 * i + j), y = 0.1 * j + 0.01 * std::cos(i);
+            text += planar ? fmt::format("{},{},0.3,{}\n", x, y, field(x, y))
+                           : fmt::format("{},{},{}\n", x, y, field(x, y));
+        }
+    return text;
+}
+
+std::vector<PointValue> values(const std::string& samples, const std::string& at,
+                               const std::string& method, double support = 0.28) {
+    const auto sample_file = parse_points("samples.csv", samples);
+    const auto at_file = parse_points("at.csv", at);
+    return approximate(
+        {sample_file, at_file, "f", std::nullopt, parse_method(method), "poly6", support});
+}
+}  // namespace
+
+TEST_CASE("approximate: mls of order 2 gives a quadratic field and its derivatives") {
+    const auto found = values(grid(), "x,y\n0.5,0.52\n", "mls:2");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].status == "ok");
+    CHECK(found[0].value.value() == Approx(field(0.5, 0.52)).epsilon(1e-12));
+    CHECK(found[0].gradient[0] == Approx(2.52).epsilon(1e-12));
+    CHECK(found[0].gradient[1] == Approx(-2.5).epsilon(1e-12));
+    CHECK(std::abs(found[0].laplacian.value()) < 1e-10);
+}
+
+TEST_CASE("approximate: every method says so where no sample is near") {
+    for (const char* method : {"sph", "shepard", "mls:0", "mls:3", "mlsph:1", "mueller"}) {
+        CAPTURE(method);
+        const auto found = values(grid(), "x,y\n0.5,0.5\n9,9\n", method);
+        CHECK(found[1].status == "no_neighbours");
+        CHECK(!found[1].value);
+        CHECK(found[1].gradient.empty());
+        CHECK(!found[1].laplacian);
+    }
+}
+
+TEST_CASE("approximate: samples that lie in a plane lower the rank, which is stated") {
+    const auto mls = values(grid(true), "x,y,z\n0.5,0.5,0.4\n", "mls:1");
+    CHECK(mls[0].status == "rank_deficient:3");
+    CHECK(std::abs(mls[0].gradient[2]) < 1e-11);
+    CHECK(values(grid(true), "x,y,z\n0.5,0.5,0.4\n", "mlsph:1")[0].status == "reduced_order:0");
+    CHECK(values("x,y,f\n0,0,1\n", "x,y\n0.1,0\n", "mls:1")[0].status == "rank_deficient:1");
+}
+
+TEST_CASE("approximate: mueller answers at samples only") {
+    const std::string samples = "x,y,f\n0,0,1\n0.1,0,2\n0,0.1,3\n0.3,0,1\n0.3,0,2\n0.35,0,1\n";
+    const auto found = values(samples, "x,y\n0,0\n0.01,0\n0.3,0\n0.35,0\n", "mueller", 0.15);
+    CHECK(found[0].status == "ok");
+    CHECK(found[0].value == 1.0);
+    CHECK(found[0].gradient[0] == Approx(10.0));
+    CHECK(found[0].gradient[1] == Approx(20.0));
+    CHECK(!found[0].laplacian);
+    CHECK(found[1].status == "not_a_sample");
+    CHECK(found[2].status == "repeated_sample");
+    CHECK(found[3].status == "rank_deficient:2");
+}
+
+TEST_CASE("approximate: bad input is refused with a reason") {
+    const std::string at = "x,y\n0.5,0.5\n";
+    for (const char* method : {"", "mls", "mls:", "mls:4", "mls:-1", "mls:1.5", "mlsph:x", "MLS:1"})
+        CHECK_THROWS_AS(parse_method(method), InvalidInput);
+    for (const double support : {0.0, -1.0, HUGE_VAL, std::nan("")})
+        CHECK_THROWS_AS(values(grid(), at, "sph", support), InvalidInput);
+    CHECK_THROWS_AS(values(grid(), "x,y,z\n0.5,0.5,0\n", "sph"), InvalidInput);
+    CHECK_THROWS_AS(values("x,y\n0,0\n", at, "sph"), InvalidInput);
+    CHECK_THROWS_AS(values("x,y,f\n0,0,nan\n", at, "sph"), InvalidInput);
+}
