@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/neighbours/candidates.h"
+#include "solver/neighbours/candidates_simd.h"
 #include "solver/neighbours/cell_order.h"
 #include "solver/neighbours/cell_window.h"
 #include "solver/neighbours/fill_lists.h"
@@ -43,45 +43,87 @@ public:
     std::size_t memory() const { return points_.memory(); }
 
 private:
-    /// Counts first, then writes each row where it belongs: no second copy of the lists is held.
+    using Window = CellWindow<Dim, Space::is_periodic>;
+    static constexpr std::size_t cells_per_block = 64;
+
+    /// What the first pass over a block of cells hands to the second: which candidates are neighbours.
+    using Bits = std::vector<std::uint64_t>;
+
+    /// Tests first, then writes each row where it belongs; between the two, one bit is kept for each
+    /// tested pair, not a second copy of the lists.
     void find(const CellOrder<Dim>& queries, Radii radii, NeighbourLists& lists) const {
+        const Instructions instructions = best_instructions();
+        std::vector<Bits> within((queries.cells() + cells_per_block - 1) / cells_per_block);
         lists.offsets.resize(queries.size() + 1);
-        for_each_cell(queries, radii, [&](std::size_t k, const Candidates<Dim>& near) {
-            const Index i = queries.order(k);
-            const double r = radii.of(i);
-            lists.offsets[i + 1] = count_within(space_, queries.position(k), r * r, near);
+        for_each_block(queries, radii, [&](std::size_t block, auto& for_each_cell) {
+            Candidates<Dim> near;
+            for_each_cell([&](const Window& window, Index first, Index last) {
+                window.gather_positions(near);
+                Bits& bits = within[block];
+                std::size_t at = bits.size();
+                bits.resize(at + (last - first) * near.words());
+                for (Index k = first; k < last; ++k, at += near.words()) {
+                    const Index i = queries.order(k);
+                    const double r = radii.of(i);
+                    lists.offsets[i + 1] = test_candidates(
+                        instructions, space_, queries.position(k), r * r, near, bits.data() + at);
+                }
+            });
         });
         lay_out(lists);
-        for_each_cell(queries, radii, [&](std::size_t k, Candidates<Dim>& near) {
-            const Index i = queries.order(k);
-            const double r = radii.of(i);
-            const std::size_t n = collect_within(space_, queries.position(k), r * r, near);
-            sort_ascending(near.within.data(), n, lists.indices.data() + lists.offsets[i]);
+        for_each_block(queries, radii, [&](std::size_t block, auto& for_each_cell) {
+            Candidates<Dim> near;
+            std::vector<Index> row;
+            const std::uint64_t* bits = within[block].data();
+            for_each_cell([&](const Window& window, Index first, Index last) {
+                window.gather_ids(near);
+                row.resize(std::max(row.size(), near.words() * 64 + room_to_sort));
+                for (Index k = first; k < last; ++k, bits += near.words()) {
+                    prefetch_row(queries, k + 8, lists);
+                    const std::size_t n =
+                        select_candidates(instructions, near.id(), near.words(), bits, row.data());
+                    sort_ascending(row.data(), n,
+                                   lists.indices.data() + lists.offsets[queries.order(k)]);
+                }
+            });
         });
     }
 
-    /// Calls visit(k, candidates) for every query k of the sorted `queries`, cells in parallel.
+    /// Rows are written in the order of the cells, which is no order at all if the queries are not
+    /// sorted: without this, waiting for memory takes longer than the search.
+    static void prefetch_row(const CellOrder<Dim>& queries, std::size_t k, NeighbourLists& lists) {
+        if (k >= queries.size()) return;
+        const Index i = queries.order(k);
+        constexpr std::size_t line = 64 / sizeof(Index), most = 8 * line;
+        const std::size_t first = lists.offsets[i], last = lists.offsets[i + 1];
+        for (std::size_t at = first; at < std::min(last, first + most); at += line)
+            __builtin_prefetch(lists.indices.data() + at, 1);
+    }
+
+    /// Calls visit(block, for_each_cell) for blocks of cells of the sorted `queries`, in parallel.
+    /// for_each_cell(f) calls f(window, first, last) with the queries first .. last of each cell.
     template <class Visit>
-    void for_each_cell(const CellOrder<Dim>& queries, Radii radii, Visit visit) const {
-        constexpr std::size_t block_size = 64;
-        const std::size_t cells = queries.cells(), blocks = (cells + block_size - 1) / block_size;
-        parallel_for(
-            blocks,
-            [&](std::size_t b) {
-                CellWindow<Dim, Space::is_periodic> window(frame_, points_);
-                Candidates<Dim> near;
-                std::size_t row = queries.row_of(b * block_size);
-                for (std::size_t c = b * block_size; c < std::min(cells, (b + 1) * block_size);
-                     ++c) {
-                    if (c == queries.first_cell(row + 1)) ++row;
-                    const Index first = queries.first_point(c), last = queries.first_point(c + 1);
-                    window.move_to(queries.row(row), queries.column(c),
-                                   frame_.reach(largest(queries, radii, first, last)));
-                    window.gather(near);
-                    for (Index k = first; k < last; ++k) visit(k, near);
-                }
-            },
-            1);
+    void for_each_block(const CellOrder<Dim>& queries, Radii radii, Visit visit) const {
+        const std::size_t cells = queries.cells();
+        const auto walk = [&](std::size_t begin, auto& cell_visit) {
+            Window window(frame_, points_);
+            std::size_t row = queries.row_of(begin);
+            for (std::size_t c = begin; c < std::min(cells, begin + cells_per_block); ++c) {
+                if (c == queries.first_cell(row + 1)) ++row;
+                const Index first = queries.first_point(c), last = queries.first_point(c + 1);
+                window.move_to(queries.row(row), queries.column(c),
+                               frame_.reach(largest(queries, radii, first, last)));
+                cell_visit(window, first, last);
+            }
+        };
+        parallel_for((cells + cells_per_block - 1) / cells_per_block,
+                     [&](std::size_t b) {
+                         const auto for_each_cell = [&](auto cell_visit) {
+                             walk(b * cells_per_block, cell_visit);
+                         };
+                         visit(b, for_each_cell);
+                     },
+                     1);
     }
 
     static double largest(const CellOrder<Dim>& queries, Radii radii, Index first, Index last) {

@@ -13,9 +13,13 @@ namespace plumbline {
 /// digit by digit.
 template <int Dim> class CellOrder {
 public:
+    /// How many elements beyond its end each array may be read, for copies in blocks of 64 bytes.
+    template <class T> static constexpr std::size_t room_beyond = 64 / sizeof(T);
+
     void sort(const CellFrame<Dim>& frame, std::span<const Vec<Dim>> points) {
         const std::size_t n = points.size();
-        order_.resize(n);
+        size_ = n;
+        order_.resize(n + room_beyond<Index>);
         clear_cells();
         constexpr double cells_per_point = 4.0;
         if (frame.cell_count() <= cells_per_point * static_cast<double>(n) + 64.0)
@@ -23,7 +27,7 @@ public:
         else
             sort_by_digits(frame, points);
         close_cells();
-        for (int axis = 0; axis < Dim; ++axis) x_[axis].resize(n);
+        for (int axis = 0; axis < Dim; ++axis) x_[axis].resize(n + room_beyond<double>);
         parallel_for(n, [&](std::size_t k) {
             for (int axis = 0; axis < Dim; ++axis) x_[axis][k] = points[order_[k]][axis];
         });
@@ -31,16 +35,16 @@ public:
 
     /// Whether these are the points that were sorted, in the order they were given.
     bool holds(std::span<const Vec<Dim>> points) const {
-        if (points.size() != order_.size()) return false;
+        if (points.size() != size_) return false;
         for (std::size_t k = 0; k < points.size(); ++k)
             for (int axis = 0; axis < Dim; ++axis)
                 if (points[order_[k]][axis] != x_[axis][k]) return false;
         return true;
     }
 
-    std::size_t size() const { return order_.size(); }
+    std::size_t size() const { return size_; }
     Index order(std::size_t k) const { return order_[k]; }
-    const Index* order_data() const { return order_.data(); }
+    const Index* order() const { return order_.data(); }
     const double* x(int axis) const { return x_[axis].data(); }
     Vec<Dim> position(std::size_t k) const {
         Vec<Dim> p;
@@ -90,7 +94,7 @@ private:
         first_point_.push_back(first_point);
     }
     void close_cells() {
-        first_point_.push_back(static_cast<Index>(order_.size()));
+        first_point_.push_back(static_cast<Index>(size_));
         first_cell_.push_back(static_cast<Index>(column_.size()));
     }
 
@@ -144,6 +148,7 @@ private:
         }
     }
 
+    std::size_t size_ = 0;
     std::vector<Index> order_;                // point k in this order was given as order_[k]
     std::array<std::vector<double>, Dim> x_;  // coordinates in this order
     std::vector<std::uint32_t> column_;       // of each cell

@@ -21,21 +21,20 @@ public:
         move_runs(first, last, 0, -1);
     }
 
-    void gather(Candidates<Dim>& near) const {
+    /// How many points the block holds.
+    std::size_t size() const {
         std::size_t n = 0;
         for (const Run& run : runs_) n += run.last_point(points_) - run.first_point(points_);
-        near.reserve(n);
-        near.size = n;
-        std::size_t at = 0;
-        for (const Run& run : runs_) {
-            const Index first = run.first_point(points_), last = run.last_point(points_);
-            for (int axis = 0; axis < Dim; ++axis)
-                std::copy(points_.x(axis) + first, points_.x(axis) + last,
-                          near.x[axis].data() + at);
-            std::copy(points_.order_data() + first, points_.order_data() + last,
-                      near.id.data() + at);
-            at += last - first;
-        }
+        return n;
+    }
+    void gather_positions(Candidates<Dim>& near) const {
+        near.resize(size());
+        for (int axis = 0; axis < Dim; ++axis) copy_runs(points_.x(axis), near.x(axis));
+        near.close();
+    }
+    void gather_ids(Candidates<Dim>& near) const {
+        near.resize(size());
+        copy_runs(points_.order(), near.id());
     }
 
 private:
@@ -59,6 +58,18 @@ private:
             return cell;
         }
     };
+
+    /// Runs are short, so they are copied in whole blocks: what is copied beyond the end of a run is
+    /// overwritten by the next one, and both arrays have room for a block more.
+    template <class T> void copy_runs(const T* from, T* to) const {
+        constexpr std::size_t block = CellOrder<Dim>::template room_beyond<T>;
+        for (const Run& run : runs_) {
+            const T* source = from + run.first_point(points_);
+            const std::size_t n = run.last_point(points_) - run.first_point(points_);
+            for (std::size_t k = 0; k < n; k += block) std::copy_n(source + k, block, to + k);
+            to += n;
+        }
+    }
 
     void enter_rows(std::uint64_t row, std::int64_t reach) {
         row_ = row;
