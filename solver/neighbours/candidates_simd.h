@@ -32,7 +32,7 @@ inline Instructions best_instructions() {
 template <int Dim>
 __attribute__((target("avx512f,avx512vl,popcnt"))) std::size_t test_candidates_avx512(
     const Vec<Dim>& q, double squared_radius, const Candidates<Dim>& c, std::uint64_t* within) {
-    std::array<__m512d, Dim> centre;
+    __m512d centre[Dim];
     for (int axis = 0; axis < Dim; ++axis) centre[axis] = _mm512_set1_pd(q[axis]);
     const __m512d limit = _mm512_set1_pd(squared_radius);
     std::size_t found = 0;
@@ -72,7 +72,7 @@ __attribute__((target("avx2,popcnt"))) std::size_t test_candidates_avx2(const Ve
                                                                         double squared_radius,
                                                                         const Candidates<Dim>& c,
                                                                         std::uint64_t* within) {
-    std::array<__m256d, Dim> centre;
+    __m256d centre[Dim];
     for (int axis = 0; axis < Dim; ++axis) centre[axis] = _mm256_set1_pd(q[axis]);
     const __m256d limit = _mm256_set1_pd(squared_radius);
     std::size_t found = 0;

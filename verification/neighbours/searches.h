@@ -5,6 +5,8 @@
 #include "solver/neighbours/hash_grid.h"
 #include "solver/neighbours/kd_tree.h"
 
+#include <algorithm>
+
 namespace verification {
 
 /// Calls visit(search) with each search of the solver but brute force, their oracle. A new search is
@@ -18,6 +20,22 @@ template <int Dim, class Space, class Visit> void for_each_search(const Space& s
 }
 template <int Dim, class Visit> void for_each_search(Visit visit) {
     for_each_search<Dim>(plumbline::OpenSpace<Dim>{}, visit);
+}
+
+/// Pairs that one of two lists has and the other has not, and pairs listed twice.
+inline std::size_t wrong_pairs(const plumbline::NeighbourLists& found,
+                               const plumbline::NeighbourLists& expected) {
+    if (found == expected) return 0;
+    if (found.size() != expected.size())
+        return std::max<std::size_t>(1, found.indices.size() + expected.indices.size());
+    std::size_t wrong = 0;
+    for (plumbline::Index i = 0; i < found.size(); ++i) {
+        std::vector<plumbline::Index> row(found.of(i).begin(), found.of(i).end()), difference;
+        std::ranges::sort(row);
+        std::ranges::set_symmetric_difference(row, expected.of(i), std::back_inserter(difference));
+        wrong += difference.size();
+    }
+    return std::max<std::size_t>(1, wrong);  // at least the order is not the agreed one
 }
 
 }  // namespace verification

@@ -1,0 +1,78 @@
+#include "solver/neighbours/cell_grid.h"
+
+#include "verification/framework/registry.h"
+#include "verification/neighbours/clouds.h"
+#include "verification/neighbours/searches.h"
+
+namespace {
+using namespace plumbline;
+using namespace verification;
+
+/// Clouds whose lists differ between one thread and three, over all searches.
+double clouds_that_depend_on_threads() {
+    const int threads = thread_count();
+    double different = 0.0;
+    for (const auto& cloud : hard_clouds<2>(3000))
+        for_each_search<2>([&](auto search) {
+            set_thread_count(1);
+            search.build(cloud.points, cloud.radius);
+            const auto alone = search.query(cloud.points);
+            set_thread_count(3);
+            search.build(cloud.points, cloud.radius);
+            different += search.query(cloud.points) == alone ? 0.0 : 1.0;
+        });
+    set_thread_count(threads);
+    return different;
+}
+
+/// Wrong pairs where the same points are queried in another order, so that they have to be sorted.
+double wrong_in_another_order(bool forget_the_order) {
+    double wrong = 0.0;
+    for (const auto& cloud : hard_clouds<3>(1500)) {
+        Points<3> reversed(cloud.points.rbegin(), cloud.points.rend());
+        BruteForce<3> oracle;
+        CellGrid<3> grid;
+        oracle.build(cloud.points, cloud.radius);
+        grid.build(cloud.points, cloud.radius);
+        wrong += static_cast<double>(wrong_pairs(
+            grid.query(forget_the_order ? cloud.points : reversed), oracle.query(reversed)));
+    }
+    return wrong;
+}
+
+/// The most bytes per point that the grid holds, over all clouds, however sparse.
+double most_bytes_per_point() {
+    double most = 0.0;
+    for (const auto& cloud : hard_clouds<3>(3000)) {
+        CellGrid<3> grid;
+        grid.build(cloud.points, cloud.radius);
+        most = std::max(
+            most, static_cast<double>(grid.memory()) / static_cast<double>(cloud.points.size()));
+    }
+    return most;
+}
+double bytes_per_point_of_an_array_over_the_box() { return 4.0 * std::pow(2e9, 3) / 3000.0; }
+
+const Register claims_of_cell_grid{
+    Claim{.id = "cell_grid.lists_do_not_depend_on_threads",
+          .source = {Paper::plumbline, "docstring of parallel_for"},
+          .says = "every search gives the same lists with 1 and with 3 threads, on every cloud",
+          .bound = at_most(0.0, "each thread writes rows of its own"),
+          .measure = clouds_that_depend_on_threads},
+    Claim{.id = "cell_grid.queries_in_any_order",
+          .source = {Paper::plumbline, "docstring of CellGrid"},
+          .says = "queries that are not the points as built are sorted, with the rows as given",
+          .bound = at_most(0.0, "lists are equal, not similar"),
+          .measure = [] { return wrong_in_another_order(false); },
+          .sabotaged = [] { return wrong_in_another_order(true); }},
+    Claim{
+        .id = "cell_grid.memory_is_free_of_empty_cells",
+        .source = {Paper::adams2009, "Sec. 5.2"},
+        .says = "at most 48 bytes per point plus those of the last cell, however sparse the points",
+        .bound = at_most(50.0,
+                         "28 for a point (3 coordinates and its number), 8 for its cell and 12 "
+                         "for its row if it is alone in both; 16 at the ends of arrays"),
+        .measure = most_bytes_per_point,
+        .sabotaged = bytes_per_point_of_an_array_over_the_box},
+};
+}  // namespace
