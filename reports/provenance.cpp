@@ -10,7 +10,6 @@
 #include <unistd.h>
 #include <CLI/Version.hpp>
 #include <boost/version.hpp>
-#include <nanoflann.hpp>
 #include <nlohmann/json.hpp>
 
 #include <ctime>
@@ -42,7 +41,6 @@ std::map<std::string, std::string> library_versions() {
         {"GSL", GSL_VERSION},
         {"CGAL", CGAL_STR(CGAL_VERSION)},
         {"Boost", BOOST_LIB_VERSION},
-        {"nanoflann", fmt::format("{:x}", NANOFLANN_VERSION)},
         {"fmt", fmt::format("{}", FMT_VERSION)},
         {"CLI11", CLI11_VERSION},
         {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,

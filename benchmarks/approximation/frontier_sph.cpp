@@ -1,6 +1,7 @@
 #include "benchmarks/approximation/frontier_methods.h"
 #include "benchmarks/approximation/shape_method.h"
 #include "solver/approximation/brookshaw_laplacian.h"
+#include "solver/approximation/product_rule_gradient.h"
 #include "solver/approximation/shepard.h"
 #include "solver/approximation/sph_gradient.h"
 #include "solver/approximation/sph_interpolation.h"

@@ -162,13 +162,6 @@ template <int Dim, class Form> double change_of_gradient(Form form, bool turn) {
     });
 }
 
-const Register erratum_of_symmetric_gradient{Erratum{
-    .number = 38,
-    .source = {Paper::adams2009, "Eqs. 19, 21, 22, 42, 90-92, 97; Table 1"},
-    .printed = "scan: the sign between the quotients of Eq. 19 reads as −, and exponents and "
-               "coefficients elsewhere are lost; the row of Eq. 19 in Table 1 has Vⱼ",
-    .corrected = "fⱼ/ρⱼ² + fᵢ/ρᵢ² in Eq. 19, with mⱼ"}};
-
 const Register rules{
     Claim{.id = "product_rule_gradient.product_rule",
           .source = {Paper::adams2009, "Eq. 16"},

@@ -219,11 +219,6 @@ const Register moves{in_dimensions<2, 3>([]<int D>() {
         .sabotaged = [] { return change_of_laplacian<D>(false); }};
 })};
 const Register of_the_parabola{
-    Erratum{
-        .number = 17,
-        .source = {Paper::adams2009, "Eqs. 11, 15"},
-        .printed = "Δω(‖x‖) = ω″(‖x‖)",
-        .corrected = "Δω = ω″ + (dim − 1) ω′/r; for a second derivative use −2 ω′/r (Brookshaw)"},
     Claim{.id = "sph_laplacian.parabola_on_square_lattice_narrow",
           .source = {Paper::adams2009, "Eq. 15"},
           .says = "Δy² = 2.86 instead of 2 on a square lattice with 2.5 spacings per support; 3.86 "

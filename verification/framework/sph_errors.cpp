@@ -1,4 +1,5 @@
 #include "solver/approximation/brookshaw_laplacian.h"
+#include "solver/approximation/product_rule_gradient.h"
 #include "solver/approximation/shepard.h"
 #include "solver/approximation/sph_gradient.h"
 #include "solver/approximation/sph_interpolation.h"

@@ -63,10 +63,11 @@ double equation_97_as_scanned(double r) {
 const Register claims_of_spiky{
     Erratum{
         .number = 38,
-        .source = {Paper::adams2009, "Eqs. 19, 21, 22, 42, 90-92, 97"},
+        .source = {Paper::adams2009, "Eqs. 19, 21, 22, 42, 90-92, 97; Table 1"},
         .printed =
             "the scan has lost: the sign in (19), the index of p(xᵢ) in (21), (22), z in (42), the "
-            "coefficients of (90), (91), the exponent of (92), the condition d < h of (97)",
+            "coefficients of (90), (91), the exponent of (92), the condition d < h of (97); Table "
+            "1 has Vⱼ for mⱼ",
         .corrected = "+ in (19); p(xᵢ); (x, y, z); −24/(πh²), 24/(πh²); (1 − d/h)³; 0 for d ≥ h"},
     Claim{.id = "spiky.exponent_of_equation_92",
           .source = {Paper::adams2009, "Eqs. 8, 92"},

@@ -11,8 +11,8 @@ set(solver_files_without_claims
 # "file: why no single file of the solver stands behind it".
 set(verification_files_without_method
     "approximation/convergence_studies.cpp: compares all methods"
-    "approximation/mls_derivatives.cpp: mls_shape.h, Eqs. 30-34; one file would be too long"
-    "approximation/mls_stability.cpp: mls_shape.h, Sec. 3.3; one file would be too long")
+    "approximation/mls_derivatives.cpp: mls_shape.h, Eqs. 30-34, which one file cannot hold"
+    "approximation/mls_stability.cpp: mls_shape.h, Sec. 3.3, which one file cannot hold")
 
 function(check_exceptions folder entries)
     foreach(entry ${${entries}})

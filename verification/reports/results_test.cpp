@@ -11,6 +11,7 @@
 namespace {
 using namespace verification;
 using reports::Json;
+using reports::json_of;
 
 ClaimResult result(const char* id, Verdict verdict, double measured) {
     return {.claim = {.id = id,
