@@ -49,7 +49,7 @@ struct Row {
     const char *name, *source, *says;
 };
 constexpr Row rows[] = {
-    {Quantity::value, "value", "Eqs. 25, 26, 27; Sec. 3.2", "⟨q⟩ = q"},
+    {Quantity::value, "value", "Eqs. 25, 26, 27, 41; Sec. 3.2", "⟨q⟩ = q"},
     {Quantity::gradient, "gradient", "Eqs. 30-32; Sec. 3.2", "∇⟨q⟩ = ∇q"},
     {Quantity::laplacian, "laplacian", "Eq. 34; Sec. 3.2", "Δ⟨q⟩ = Δq"},
 };

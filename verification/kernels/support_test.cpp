@@ -24,7 +24,7 @@ TEST_CASE("Support scales lengths without rounding, and clamps them at the rim")
     CHECK(std::isnan(Support("kernel", 1.0).clamp(std::nan(""))));
 }
 
-TEST_CASE("kernels of the smallest and largest support are finite; others are refused") {
+TEST_CASE("kernels of the smallest and largest support are finite, others are refused") {
     for (const double h : {Support::smallest, Support::largest})
         AllKernels::for_each<3>(h, [h](const auto& w) {
             CHECK(std::isnormal(w.value(0.5 * h)));

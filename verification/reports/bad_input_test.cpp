@@ -14,7 +14,7 @@ struct BadInput {
 const std::vector<BadInput> table{
     {{}, "no command given; expected one of: "},
     {{"fly"}, "no command \"fly\"; expected one of: "},
-    {{"list", "everything"}, "everything not in {claims,studies}"},
+    {{"list", "everything"}, "everything not in {claims,studies,"},
     {{"list", "--colour"}, "The following argument was not expected: --colour"},
     {{"--threads", "0", "list"}, "Value 0 not in range 1 to 4096"},
     {{"--threads", "two", "list"}, "Value two not in range 1 to 4096"},

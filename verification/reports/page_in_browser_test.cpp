@@ -31,9 +31,10 @@ std::size_t count(const std::string& text, const std::string& what) {
     return n;
 }
 
-/// Requests other than for the page itself and the data inside it.
+/// What the page asked the network for. The browser asks for things of its own (its updates, the
+/// time), which have no page as their origin.
 std::size_t requests_in(const std::string& net_log) {
-    return count(net_log, "\"url\":\"http://") + count(net_log, "\"url\":\"https://");
+    return count(net_log, "\"initiator\":\"") - count(net_log, "\"initiator\":\"not an origin\"");
 }
 
 Visit visit(const std::filesystem::path& directory, const std::string& html) {
