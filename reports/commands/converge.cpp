@@ -1,4 +1,5 @@
 #include "reports/charts/chart_json.h"
+#include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/json.h"
 #include "reports/select.h"
@@ -105,10 +106,11 @@ const RegisterCommand command{
                         "folder; a run that was interrupted continues from what is there");
          app.add_option("--json", options->json, "write the results to this file, - for stdout")
              ->expected(0, 1)
-             ->default_str("-");
+             ->default_str("-")
+             ->check(output_file());
          app.add_option("--time-limit", options->seconds_per_study,
                         "seconds that one study may take")
-             ->check(CLI::PositiveNumber)
+             ->check(positive_number())
              ->capture_default_str();
          return [options] { return converge(*options); };
      }}};

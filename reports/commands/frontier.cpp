@@ -1,3 +1,4 @@
+#include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/frontier_report.h"
 #include "reports/interrupt.h"
@@ -77,7 +78,8 @@ const RegisterCommand command{
          app.add_flag("--quick", options->quick, "fewer supports, samples and repetitions");
          app.add_option("--json", options->json, "write the results to this file, - for stdout")
              ->expected(0, 1)
-             ->default_str("-");
+             ->default_str("-")
+             ->check(output_file());
          app.add_option("-o,--output", options->directory, "draw charts into this folder");
          return [options] { return frontier(*options); };
      }}};

@@ -27,6 +27,30 @@ const std::vector<BadInput> table{
     {{"verify", "--json", "no/folder.json"}, "found \"no/folder.json\": its folder does not exist"},
     {{"verify", "--junit", "no/folder.xml"}, "found \"no/folder.xml\": its folder does not exist"},
     {{"verify", "--json", "."}, "found \".\": that is a folder"},
+
+    {{"converge", "no_such_study"}, "no study matches", 3},
+    {{"converge", "--tag", "no_such_tag"}, "no study matches", 3},
+    {{"converge", "--time-limit", "-1"}, "expected a positive number, found \"-1\""},
+    {{"converge", "--json", "no/folder.json"}, "its folder does not exist"},
+
+    {{"kernel"}, "expected the name of a kernel"},
+    {{"kernel", "top_hat"}, "no kernel \"top_hat\" in 2D; expected one of: cubic_spline"},
+    {{"kernel", "poly6", "--dim", "4"}, "--dim: expected 1, 2 or 3, found 4"},
+    {{"kernel", "poly6", "--dim", "two"}, "Could not convert: --dim = two"},
+    {{"kernel", "poly6", "--support", "0"},
+     "expected a support radius from 1e-50 to 1e+50, found 0"},
+    {{"kernel", "poly6", "--support", "-1"},
+     "expected a support radius from 1e-50 to 1e+50, found -1"},
+    {{"kernel", "poly6", "--support", "nan"},
+     "expected a support radius from 1e-50 to 1e+50, found nan"},
+    {{"kernel", "poly6", "--support", "inf"},
+     "expected a support radius from 1e-50 to 1e+50, found inf"},
+    {{"kernel", "poly6", "--at", "0,one"}, "expected numbers r1,r2,..., found \"one\" as number 2"},
+    {{"kernel", "poly6", "--at", "0,,1"}, "expected numbers r1,r2,..., found \"\" as number 2"},
+    {{"kernel", "poly6", "--at", "1e400"},
+     "expected numbers r1,r2,..., found \"1e400\" as number 1"},
+    {{"kernel", "poly6", "--at", "-1"}, "expected radii r >= 0, found -1"},
+    {{"kernel", "poly6", "--at", "nan"}, "expected radii r >= 0, found nan"},
 };
 
 std::string sentence(const std::vector<std::string>& arguments) {

@@ -11,8 +11,10 @@
 namespace {
 using reports::Json;
 
-std::filesystem::path fresh_directory() {
-    const auto directory = std::filesystem::temp_directory_path() / "plumbline_browser_test";
+/// Of its own for each test: they may run at the same time.
+std::filesystem::path fresh_directory(const std::string& test) {
+    const auto directory =
+        std::filesystem::temp_directory_path() / ("plumbline_browser_test_" + test);
     std::filesystem::remove_all(directory);
     std::filesystem::create_directories(directory);
     return directory;
@@ -66,7 +68,7 @@ std::string with_picture_count(std::string html) {
 }  // namespace
 
 TEST_CASE("the page opens in a browser without an error, a request or a missing chart") {
-    const auto directory = fresh_directory();
+    const auto directory = fresh_directory("page");
     const std::string html = reports::page_of(verification::small_report(), directory / "charts");
     const Visit plain = visit(directory, html);
     if (!plain.installed) {
@@ -82,7 +84,7 @@ TEST_CASE("the page opens in a browser without an error, a request or a missing 
 }
 
 TEST_CASE("the browser test sees an error, a request and a missing chart") {
-    const auto directory = fresh_directory();
+    const auto directory = fresh_directory("wrong_page");
     const Visit wrong =
         visit(directory, with_picture_count("<html><head><meta http-equiv=\"Content-Security-Policy"
                                             "\" content=\"x\"></head><body>"

@@ -17,15 +17,17 @@ struct Counter {
     }
 };
 
-std::filesystem::path fresh_directory() {
-    const auto directory = std::filesystem::temp_directory_path() / "plumbline_pieces_test";
+/// Of its own for each test: they may run at the same time.
+std::filesystem::path fresh_directory(const std::string& test) {
+    const auto directory =
+        std::filesystem::temp_directory_path() / ("plumbline_pieces_test_" + test);
     std::filesystem::remove_all(directory);
     return directory;
 }
 }  // namespace
 
 TEST_CASE("a finished piece is reused under the same fingerprint, and only then") {
-    const auto directory = fresh_directory();
+    const auto directory = fresh_directory("kept");
     Counter counter;
     Pieces first(directory, "v1");
     CHECK(counter("claims/a", first)["made"] == 1);
@@ -43,7 +45,7 @@ TEST_CASE("a finished piece is reused under the same fingerprint, and only then"
 }
 
 TEST_CASE("a piece that is broken, or of another key with the same file, is made again") {
-    const auto directory = fresh_directory();
+    const auto directory = fresh_directory("fingerprint");
     Counter counter;
     Pieces pieces(directory, "v1");
     counter("a b", pieces);
@@ -53,7 +55,7 @@ TEST_CASE("a piece that is broken, or of another key with the same file, is made
 }
 
 TEST_CASE("a piece whose making is interrupted leaves nothing behind") {
-    const auto directory = fresh_directory();
+    const auto directory = fresh_directory("broken");
     Pieces pieces(directory, "v1");
     CHECK_THROWS_AS(pieces.get("a", []() -> Json { throw std::runtime_error("interrupted"); }),
                     std::runtime_error);
