@@ -6,6 +6,7 @@
 #include "verification/neighbours/searches.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 
@@ -32,6 +33,28 @@ std::size_t wrong_in_sample(const PointCloud<Dim>& cloud, const NeighbourLists& 
     BruteForce<Dim> oracle;
     oracle.build(cloud.points, cloud.radius);
     return verification::wrong_pairs(found, oracle.query(queries));
+}
+
+/// Throws InvalidInput if the lists, extrapolated from a sample of rows, would not fit into memory next
+/// to those of a second search.
+template <int Dim> void check_memory(const PointCloud<Dim>& cloud) {
+    const std::size_t n = cloud.points.size(), sample = std::min<std::size_t>(n, 100);
+    double neighbours = 0.0;
+    for (std::size_t s = 0; s < sample; ++s)
+        for (const Vec<Dim>& x : cloud.points)
+            if (squared_distance(OpenSpace<Dim>{}, cloud.points[s * n / sample], x) <
+                cloud.radius * cloud.radius)
+                neighbours += 1.0;
+    const double lists = neighbours / static_cast<double>(std::max<std::size_t>(1, sample)) *
+                         static_cast<double>(n) * sizeof(Index);
+    const double memory =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    constexpr double copies = 4.0;  // two searches, each with what it fills its lists from
+    if (copies * lists > memory)
+        throw InvalidInput(
+            fmt::format("comparison: a radius of {:.17g} makes lists of {:.3g} GB, expected at "
+                        "most a quarter of the memory, {:.3g} GB",
+                        cloud.radius, lists * 1e-9, memory / copies * 1e-9));
 }
 
 struct Runs {
@@ -83,6 +106,8 @@ template <int Dim>
 CaseResult compare(const PointCloud<Dim>& cloud, const ComparisonOptions& options) {
     if (options.searches.empty() || options.repeats < 1)
         throw InvalidInput("comparison: expected at least one search and one repeat");
+    check_radius(OpenSpace<Dim>{}, cloud.radius);
+    check_memory(cloud);
     CaseResult result{.cloud = cloud.name,
                       .dim = Dim,
                       .threads = thread_count(),

@@ -4,12 +4,14 @@
 #include "reports/neighbours_report.h"
 #include "solver/foundation/parallel.h"
 #include "solver/io/read_points.h"
+#include "solver/neighbours/queries.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace reports {
 namespace {
@@ -22,7 +24,7 @@ struct Options {
     int dim = 3, repeats = 9;
     std::vector<Index> counts;
     std::vector<std::string> searches;
-    double radius = 0.0;
+    std::optional<double> radius;  // [unit of the points]
     bool quick = false;
 };
 
@@ -30,9 +32,10 @@ constexpr std::size_t usual_neighbours = 30;
 
 template <int Dim> PointCloud<Dim> read_cloud(const Options& options, const PointFile& file) {
     PointCloud<Dim> cloud{std::filesystem::path(options.points).stem().string(),
-                          file.points_as<Dim>(), options.radius};
-    if (options.radius == 0.0)
-        cloud.radius = benchmarks::radius_with_neighbours(cloud.points, usual_neighbours);
+                          file.points_as<Dim>(), 0.0};
+    cloud.radius = options.radius
+                       ? *options.radius
+                       : benchmarks::radius_with_neighbours(cloud.points, usual_neighbours);
     return cloud;
 }
 
@@ -48,7 +51,7 @@ template <int Dim> std::vector<CaseResult> compare_clouds(const Options& options
     std::vector<CaseResult> cases;
     for (const Index count : options.counts) {
         PointCloud<Dim> cloud = benchmarks::make_cloud<Dim>(options.cloud, count);
-        if (options.radius > 0.0) cloud.radius = options.radius;
+        if (options.radius) cloud.radius = *options.radius;
         cases.push_back(compare(cloud, how(options)));
     }
     return cases;
@@ -73,7 +76,7 @@ std::string command_line(const Options& options) {
     else
         text += fmt::format(" --cloud {} --dim {}", options.cloud, options.dim);
     for (const Index count : options.counts) text += fmt::format(" --count {}", count);
-    if (options.radius > 0.0) text += fmt::format(" --radius {:.17g}", options.radius);
+    if (options.radius) text += fmt::format(" --radius {:.17g}", *options.radius);
     for (const std::string& search : options.searches) text += fmt::format(" --search {}", search);
     return text + fmt::format(" --repeats {}{} --threads {}", options.repeats,
                               options.quick ? " --quick" : "", thread_count());
@@ -118,7 +121,7 @@ void print(const NeighbourComparison& comparison) {
 }
 
 ExitCode neighbours(const Options& options) {
-    if (options.radius < 0.0) throw InvalidInput("--radius: expected a number > 0");
+    if (options.radius) check_radius(OpenSpace<3>{}, *options.radius);
     const NeighbourComparison comparison{measure(options), command_line(options)};
     if (options.json != "-") print(comparison);
     if (!options.directory.empty()) {
@@ -152,8 +155,7 @@ const RegisterCommand command{
          app.add_option("--count", options->counts, "numbers of points (1000 to 1000000)")
              ->check(CLI::Range(2u, 100000000u))
              ->excludes(points);
-         app.add_option("--radius", options->radius, "in the unit of the points (30 neighbours)")
-             ->check(CLI::PositiveNumber);
+         app.add_option("--radius", options->radius, "in the unit of the points (30 neighbours)");
          app.add_option("--search", options->searches, "only these")
              ->check(CLI::IsMember(benchmarks::contestant_names()));
          app.add_option("--repeats", options->repeats, "interleaved rounds")
