@@ -1,6 +1,7 @@
 #include "benchmarks/approximation/frontier_methods.h"
 #include "benchmarks/approximation/shape_method.h"
 #include "solver/approximation/brookshaw_laplacian.h"
+#include "solver/approximation/mueller_gradient.h"
 #include "solver/approximation/product_rule_gradient.h"
 #include "solver/approximation/shepard.h"
 #include "solver/approximation/sph_gradient.h"
@@ -50,7 +51,7 @@ template <RadialKernel K> std::vector<PreparedMethod> values(const K& w, const S
 
 template <RadialKernel K> std::vector<PreparedMethod> gradients(const K& w, const Situation& s) {
     const auto q = Quantity::gradient;
-    return {
+    std::vector<PreparedMethod> all{
         at_places(
             "SPH Eq. 9", s, q,
             [&s, w](Index k) { return gradient_summation(w, s.samples(), s.f, place(s, k)); },
@@ -65,6 +66,12 @@ template <RadialKernel K> std::vector<PreparedMethod> gradients(const K& w, cons
         at_places("SPH Eq. 19", true, s, q, [&s, w](Index k) {
             return gradient_symmetric(w, s.samples(), s.m, s.rho, s.f, s.measured[k]);
         })};
+    PreparedMethod mueller = at_places("Mueller", false, s, q, [&s, w](Index k) {
+        return mueller_gradient(w, s.samples(), s.f, s.measured[k]);
+    });
+    add_shape_functions(mueller, MuellerShape<K>(w), s, q);
+    all.push_back(std::move(mueller));
+    return all;
 }
 
 template <RadialKernel K> std::vector<PreparedMethod> laplacians(const K& w, const Situation& s) {

@@ -80,7 +80,9 @@ template <int Dim> std::vector<Curve> curves_of(const Plan& plan) {
     std::vector<Curve> curves;
     const auto add_family = [&](const Family<Dim>& family) {
         for (const Approximation& a : family.approximations) {
-            if (a.quantity == plan.quantity && !is_printed(a))
+            // Growing supports are what SPH needs to converge; Müller's gradient is no SPH.
+            const bool skipped = grows(plan) && a.method == "Mueller";
+            if (a.quantity == plan.quantity && !is_printed(a) && !skipped)
                 curves.push_back({expected_order(a, plan.conditions), a});
         }
     };

@@ -40,7 +40,7 @@ template <int Dim> struct Family {
     /// Writes |approximated − exact| at sample i, one per approximation; NaN without an answer.
     void (*errors)(const SampledField<Dim>& field, plumbline::Index i, std::span<double> errors);
 };
-/// SPH Eqs. 3, 9, 11, 13, 15, 17, 19, Brookshaw's Laplacian, Shepard; and
+/// SPH Eqs. 3, 9, 11, 13, 15, 17, 19, Brookshaw's Laplacian, Shepard, Müller's gradient; and
 /// "printed Eq. 15", whose ω″ is wrong on purpose (erratum 17).
 template <int Dim> const Family<Dim>& sph_family();
 /// MLS 0 to 3, MLSPH; and "printed Eqs. 29, 30", which is wrong on purpose (erratum 25).

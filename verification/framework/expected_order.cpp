@@ -20,8 +20,8 @@ int reproduced_degree(const Approximation& a) {
     static const std::map<std::string_view, int> degrees{
         {"SPH Eq. 3", -1}, {"SPH Eq. 9", -1}, {"SPH Eq. 11", -1}, {"SPH Eq. 19", -1},
         {"SPH Eq. 13", 0}, {"SPH Eq. 17", 0}, {"SPH Eq. 15", 0},  {"Brookshaw", 0},
-        {"Shepard", 0},    {"MLS 0", 0},      {"MLS 1", 1},       {"MLS 2", 2},
-        {"MLSPH", 2},      {"MLS 3", 3}};
+        {"Shepard", 0},    {"MLS 0", 0},      {"Mueller", 1},     {"MLS 1", 1},
+        {"MLS 2", 2},      {"MLSPH", 2},      {"MLS 3", 3}};
     const auto known = degrees.find(a.method);
     if (known == degrees.end())
         throw std::logic_error("no expected order for " + std::string(a.method));

@@ -1,4 +1,5 @@
 #include "solver/approximation/brookshaw_laplacian.h"
+#include "solver/approximation/mueller_gradient.h"
 #include "solver/approximation/product_rule_gradient.h"
 #include "solver/approximation/shepard.h"
 #include "solver/approximation/sph_gradient.h"
@@ -16,12 +17,13 @@ using namespace plumbline;
 using enum Quantity;
 
 constexpr std::array approximations{
-    Approximation{value, "SPH Eq. 3"},      Approximation{value, "Shepard"},
-    Approximation{gradient, "SPH Eq. 9"},   Approximation{gradient, "SPH Eq. 13"},
-    Approximation{gradient, "SPH Eq. 17"},  Approximation{gradient, "SPH Eq. 19"},
-    Approximation{gradient, "Shepard"},     Approximation{laplacian, "SPH Eq. 11"},
-    Approximation{laplacian, "SPH Eq. 15"}, Approximation{laplacian, "Brookshaw"},
-    Approximation{laplacian, "Shepard"},    Approximation{laplacian, "printed Eq. 15"}};
+    Approximation{value, "SPH Eq. 3"},         Approximation{value, "Shepard"},
+    Approximation{gradient, "SPH Eq. 9"},      Approximation{gradient, "SPH Eq. 13"},
+    Approximation{gradient, "SPH Eq. 17"},     Approximation{gradient, "SPH Eq. 19"},
+    Approximation{gradient, "Shepard"},        Approximation{gradient, "Mueller"},
+    Approximation{laplacian, "SPH Eq. 11"},    Approximation{laplacian, "SPH Eq. 15"},
+    Approximation{laplacian, "Brookshaw"},     Approximation{laplacian, "Shepard"},
+    Approximation{laplacian, "printed Eq. 15"}};
 
 constexpr double no_answer = std::numeric_limits<double>::quiet_NaN();
 
@@ -59,6 +61,7 @@ template <int Dim> void errors(const SampledField<Dim>& field, Index i, std::spa
     *next++ = distance<Dim>(gradient_mass_weighted(w, s, m, rho, f, i), grad_f);
     *next++ = distance<Dim>(gradient_symmetric(w, s, m, rho, f, i), grad_f);
     *next++ = distance<Dim>(shepard_gradient(w, s, f, at), grad_f);
+    *next++ = distance<Dim>(mueller_gradient(w, s, f, i), grad_f);
     *next++ = distance(laplacian_summation(w, s, f, at), laplace_f);
     *next++ = distance(laplacian_difference(w, s, f, i), laplace_f);
     *next++ = distance(laplacian_brookshaw(w, s, f, i), laplace_f);
