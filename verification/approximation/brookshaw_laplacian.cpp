@@ -93,7 +93,8 @@ double on_square_lattice(double h) {
 /// −∫ 2 ω′/r ‖x‖² / (2 dim) dV: the Laplacian of the paraboloid ‖x‖² / (2 dim).
 template <int Dim> double second_moment(double factor) {
     const Poly6<Dim> w(0.8);
-    const double surface = Dim == 2 ? 2.0 * std::numbers::pi : 4.0 * std::numbers::pi;
+    constexpr double pi = std::numbers::pi;
+    constexpr double surface = Dim == 1 ? 2.0 : Dim == 2 ? 2.0 * pi : 4.0 * pi;
     return integrate(
         [&](double r) {
             return -factor * w.derivative(r) * r / (2 * Dim) * surface * std::pow(r, Dim - 1);
@@ -125,7 +126,7 @@ std::vector<Claim> claims_on_lattices(const std::vector<KnownLattice<Dim>>& latt
 const Register on_plane_lattices{claims_on_lattices(plane_lattices())};
 const Register on_space_lattices{claims_on_lattices(space_lattices())};
 
-const Register of_constants{in_dimensions<2, 3>([]<int D>() {
+const Register of_constants{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "brookshaw_laplacian.kills_constants",
                  .source = {Paper::literature, "Brookshaw 1985"},
                  .says = "the Laplacian of a constant vanishes on any samples",
@@ -133,7 +134,7 @@ const Register of_constants{in_dimensions<2, 3>([]<int D>() {
                  .measure = [] { return of_a_constant<D>(brookshaw); },
                  .sabotaged = [] { return of_a_constant<D>(by_eq_11); }};
 })};
-const Register maximum_principle{in_dimensions<2, 3>([]<int D>() {
+const Register maximum_principle{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "brookshaw_laplacian.obeys_the_maximum_principle",
         .source = {Paper::literature, "Brookshaw 1985"},
@@ -145,7 +146,7 @@ const Register maximum_principle{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return largest_at_a_maximum<D>(brookshaw); },
         .sabotaged = [] { return largest_at_a_maximum<D>(by_eq_15); }};
 })};
-const Register conservation{in_dimensions<2, 3>([]<int D>() {
+const Register conservation{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "brookshaw_laplacian.conserves",
         .source = {Paper::literature, "Brookshaw 1985"},
@@ -157,7 +158,7 @@ const Register conservation{in_dimensions<2, 3>([]<int D>() {
         .sabotaged =
             [] { return source_of_heat<D>([](const auto& d, Index i) { return d.m[i]; }); }};
 })};
-const Register paraboloid{in_dimensions<2, 3>([]<int D>() {
+const Register paraboloid{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "brookshaw_laplacian.of_a_paraboloid",
         .source = {Paper::literature, "Brookshaw 1985"},
@@ -167,7 +168,7 @@ const Register paraboloid{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return second_moment<D>(2.0); },
         .sabotaged = [] { return second_moment<D>(1.0); }};
 })};
-const Register moves{in_dimensions<2, 3>([]<int D>() {
+const Register moves{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "brookshaw_laplacian.scales_and_moves",
         .source = {Paper::literature, "Brookshaw 1985"},

@@ -195,6 +195,7 @@ std::vector<Claim> claims_on_lattices(const std::vector<KnownLattice<Dim>>& latt
              .sabotaged = [&known] { return error_on_lattice(known, 0.8); }});
     return claims;
 }
+const Register on_the_line{claims_on_lattices(line_lattices())};
 const Register on_plane_lattices{claims_on_lattices(plane_lattices())};
 const Register on_space_lattices{claims_on_lattices(space_lattices())};
 
@@ -282,6 +283,13 @@ const Register claims_of_density{
             at_most(60 * unit_roundoff, "two sums of up to 31 positive terms, and their ratio"),
         .measure = [] { return surface_error(2, seen_at_corner); },
         .sabotaged = [] { return surface_error(1, seen_at_corner); }},
+    Claim{
+        .id = "density.scales_and_moves_1d",
+        .source = {Paper::adams2009, "Eq. 5"},
+        .says = "scaled, reflected, shifted, reordered samples have the density ρ / λ",
+        .bound = at_most(10 * position_rounding, "h² ∫ |ω′| dV Σ m / V = 2.2 · 2.5 · 1.5 supports"),
+        .measure = [] { return change_of_density<1>(true); },
+        .sabotaged = [] { return change_of_density<1>(false); }},
     Claim{.id = "density.scales_and_moves_2d",
           .source = {Paper::adams2009, "Eq. 5"},
           .says = "scaled, turned, shifted, reordered samples have the density λ⁻² ρ",

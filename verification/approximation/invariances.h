@@ -25,6 +25,7 @@ template <int Dim> struct Similarity {
 
 template <int Dim> plumbline::Mat<Dim> any_rotation() {
     plumbline::Mat<Dim> R = plumbline::Mat<Dim>::Identity();
+    if (Dim == 1 && *uniform(-1.0, 1.0) < 0.0) R = -R;  // the line has no rotation but a reflection
     for (int a = 0; a < Dim; ++a)
         for (int b = a + 1; b < Dim; ++b) {
             const double angle = *uniform(0.0, 2.0 * std::numbers::pi);

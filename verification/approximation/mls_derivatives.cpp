@@ -111,6 +111,8 @@ template <int Dim, int Order> void add_oracle_claims(std::vector<Claim>& claims)
 
 std::vector<Claim> oracle_claims() {
     std::vector<Claim> claims;
+    add_oracle_claims<1, 1>(claims);
+    add_oracle_claims<1, 2>(claims);
     add_oracle_claims<2, 1>(claims);
     add_oracle_claims<2, 2>(claims);
     add_oracle_claims<3, 1>(claims);

@@ -74,6 +74,7 @@ template <int Dim, int Order> void add_consistency(std::vector<Claim>& claims) {
 std::vector<Claim> consistency() {
     std::vector<Claim> claims;
     [&]<int... Order>(std::integer_sequence<int, Order...>) {
+        (add_consistency<1, Order>(claims), ...);
         (add_consistency<2, Order>(claims), ...);
         (add_consistency<3, Order>(claims), ...);
     }

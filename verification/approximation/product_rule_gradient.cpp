@@ -181,7 +181,7 @@ const Register rules{
         .sabotaged =
             [] { return error_of_rule([](const Vec<2>& x) { return quotient_rule(x, -1.0); }); }}};
 
-const Register of_constants{in_dimensions<2, 3>([]<int D>() {
+const Register of_constants{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "product_rule_gradient.mass_weighted_kills_constants",
                  .source = {Paper::adams2009, "Eq. 17"},
                  .says = "Eq. 17 also gives zero gradients for constant functions, on any samples",
@@ -189,7 +189,7 @@ const Register of_constants{in_dimensions<2, 3>([]<int D>() {
                  .measure = [] { return of_a_constant<D>(mass_weighted); },
                  .sabotaged = [] { return of_a_constant<D>(symmetric); }};
 })};
-const Register of_constants_symmetric{in_dimensions<2, 3>([]<int D>() {
+const Register of_constants_symmetric{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "product_rule_gradient.symmetric_does_not_kill_constants",
                  .source = {Paper::adams2009, "Eq. 19"},
                  .says = "the price of symmetry: h ‖∇1‖ of Eq. 19 at the rim of the samples",
@@ -199,7 +199,7 @@ const Register of_constants_symmetric{in_dimensions<2, 3>([]<int D>() {
                  .measure = [] { return of_a_constant<D>(symmetric); },
                  .sabotaged = [] { return of_a_constant<D>(mass_weighted); }};
 })};
-const Register from_the_product_rule{in_dimensions<2, 3>([]<int D>() {
+const Register from_the_product_rule{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "product_rule_gradient.is_the_product_rule",
         .source = {Paper::adams2009, "Eqs. 16, 17"},
@@ -208,7 +208,7 @@ const Register from_the_product_rule{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return error_of_product_rule<D>(1.0); },
         .sabotaged = [] { return error_of_product_rule<D>(-1.0); }};
 })};
-const Register from_the_quotient_rule{in_dimensions<2, 3>([]<int D>() {
+const Register from_the_quotient_rule{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "product_rule_gradient.is_the_quotient_rule",
         .source = {Paper::adams2009, "Eqs. 18, 19"},
@@ -218,7 +218,7 @@ const Register from_the_quotient_rule{in_dimensions<2, 3>([]<int D>() {
         .sabotaged = [] { return error_of_quotient_rule<D>(with_minus); },
         .erratum = 38};
 })};
-const Register linear_momentum{in_dimensions<2, 3>([]<int D>() {
+const Register linear_momentum{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "product_rule_gradient.symmetric_conserves_momentum",
                  .source = {Paper::adams2009, "Eq. 19; Sec. 6.1"},
                  .says = "‖Σ mᵢ ∇fᵢ/ρᵢ‖ / Σ ‖mᵢ ∇fᵢ/ρᵢ‖ = 0: what one sample gives, another takes",
@@ -238,7 +238,7 @@ const Register angular_momentum{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return angular_momentum_residual<D>(symmetric); },
         .sabotaged = [] { return angular_momentum_residual<D>(mass_weighted); }};
 })};
-const Register mass_units{in_dimensions<2, 3>([]<int D>() {
+const Register mass_units{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "product_rule_gradient.symmetric_has_no_unit_of_mass",
         .source = {Paper::adams2009, "Eq. 19; Table 1"},
@@ -249,7 +249,7 @@ const Register mass_units{in_dimensions<2, 3>([]<int D>() {
         .sabotaged = [] { return change_with_unit_of_mass<D>(with_volumes); },
         .erratum = 38};
 })};
-const Register subtle_difference{in_dimensions<2, 3>([]<int D>() {
+const Register subtle_difference{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "product_rule_gradient.differs_subtly_from_eq_13",
         .source = {Paper::adams2009, "Eqs. 13, 17"},
@@ -258,7 +258,7 @@ const Register subtle_difference{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return difference_from_eq_13<D>(false); },
         .sabotaged = [] { return difference_from_eq_13<D>(true); }};
 })};
-const Register moves{in_dimensions<2, 3>([]<int D>() {
+const Register moves{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "product_rule_gradient.mass_weighted_turns_with_the_samples",
                  .source = {Paper::adams2009, "Eq. 17"},
                  .says = "∇f of scaled, turned, shifted, reordered samples is R ∇f / λ",
@@ -267,7 +267,7 @@ const Register moves{in_dimensions<2, 3>([]<int D>() {
                  .measure = [] { return change_of_gradient<D>(mass_weighted, true); },
                  .sabotaged = [] { return change_of_gradient<D>(mass_weighted, false); }};
 })};
-const Register symmetric_moves{in_dimensions<2, 3>([]<int D>() {
+const Register symmetric_moves{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "product_rule_gradient.symmetric_turns_with_the_samples",
                  .source = {Paper::adams2009, "Eq. 19"},
                  .says = "∇f of scaled, turned, shifted, reordered samples is R ∇f / λ",

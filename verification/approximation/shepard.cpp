@@ -2,6 +2,7 @@
 
 #include "solver/approximation/sph_interpolation.h"
 #include "solver/kernels/poly6.h"
+#include "solver/kernels/singular.h"
 #include "verification/approximation/invariances.h"
 #include "verification/approximation/poly6_fields.h"
 #include "verification/framework/in_dimensions.h"
@@ -128,6 +129,23 @@ double difference_at_sample(double jitter) {
     return std::abs(by_eq_3(d, d.f, at) - by_shepard(d, d.f, at));
 }
 
+/// max over the samples around the centre of |⟨f⟩(x) − fⱼ| at xⱼ and 1e-8 beside it.
+template <class K, class Value> double distance_from_samples(Value value) {
+    const K w(2.5);
+    const Patch<K::dim> patch(cubic_lattice<K::dim>(1.0), {.support = 2.5, .jitter = 0.2});
+    const auto s = patch.samples();
+    const auto f = patch.sample([](const Vec<K::dim>& x) { return std::sin(x.sum()); });
+    double worst = 0.0;
+    for (const Index j : s.neighbours.of(patch.centre))
+        for (const double beside : {0.0, 1e-8}) {
+            const Vec<K::dim> x = s.x[j] + beside * Vec<K::dim>::Unit(0);
+            const double error =
+                std::abs(value(w, s, f, Place<K::dim>{x, s.neighbours.of(j)}) - f[j]);
+            if (!(error <= worst)) worst = error;
+        }
+    return worst;
+}
+
 template <int Dim> double change_of_value(bool scale_support) {
     return change_under_similarity<Poly6<Dim>>(2.5, 0, [=](auto d, Index i) {
         if (!scale_support) d.w = Poly6<Dim>(2.5);
@@ -135,7 +153,7 @@ template <int Dim> double change_of_value(bool scale_support) {
     });
 }
 
-const Register constants{in_dimensions<2, 3>([]<int D>() {
+const Register constants{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "shepard.keeps_constants",
                  .source = {Paper::adams2009, "Sec. 2"},
                  .says = "⟨c⟩ = c anywhere, on any samples; by Eq. 3 it is not",
@@ -143,7 +161,7 @@ const Register constants{in_dimensions<2, 3>([]<int D>() {
                  .measure = [] { return of_a_constant<D>(by_shepard); },
                  .sabotaged = [] { return of_a_constant<D>(by_eq_3); }};
 })};
-const Register slopes_of_constants{in_dimensions<2, 3>([]<int D>() {
+const Register slopes_of_constants{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "shepard.derivatives_of_constants_vanish",
         .source = {Paper::plumbline, "docstrings of shepard_gradient, shepard_laplacian"},
@@ -152,7 +170,7 @@ const Register slopes_of_constants{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return derivatives_of_a_constant<D>(true); },
         .sabotaged = [] { return derivatives_of_a_constant<D>(false); }};
 })};
-const Register range{in_dimensions<2, 3>([]<int D>() {
+const Register range{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "shepard.stays_in_the_range_of_the_samples",
         .source = {Paper::literature, "Shepard 1968"},
@@ -161,7 +179,7 @@ const Register range{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return out_of_range<D>(by_shepard); },
         .sabotaged = [] { return out_of_range<D>(by_eq_3); }};
 })};
-const Register gradients{in_dimensions<2, 3>([]<int D>() {
+const Register gradients{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "shepard.gradient_is_the_derivative",
         .source = {Paper::plumbline, "docstring of shepard_gradient"},
@@ -170,7 +188,7 @@ const Register gradients{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return gradient_error<D>(true); },
         .sabotaged = [] { return gradient_error<D>(false); }};
 })};
-const Register laplacians{in_dimensions<2, 3>([]<int D>() {
+const Register laplacians{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "shepard.laplacian_is_the_laplacian",
         .source = {Paper::plumbline, "docstring of shepard_laplacian"},
@@ -179,7 +197,7 @@ const Register laplacians{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return laplacian_error<D>(true); },
         .sabotaged = [] { return laplacian_error<D>(false); }};
 })};
-const Register volumes_cancel{in_dimensions<2, 3>([]<int D>() {
+const Register volumes_cancel{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "shepard.does_not_need_the_size_of_volumes",
         .source = {Paper::literature, "Shepard 1968"},
@@ -188,7 +206,7 @@ const Register volumes_cancel{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return change_with_volume<D>(by_shepard); },
         .sabotaged = [] { return change_with_volume<D>(by_eq_3); }};
 })};
-const Register moves{in_dimensions<2, 3>([]<int D>() {
+const Register moves{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "shepard.scales_and_moves",
                  .source = {Paper::literature, "Shepard 1968"},
                  .says = "⟨f⟩ is the same for scaled, turned, shifted, reordered samples",
@@ -196,6 +214,31 @@ const Register moves{in_dimensions<2, 3>([]<int D>() {
                                   "h ∫ |ω′| dV < 4.9 supports in either sum, volumes vary by 1.5"),
                  .measure = [] { return change_of_value<D>(true); },
                  .sabotaged = [] { return change_of_value<D>(false); }};
+})};
+const Register interpolation{in_dimensions<2, 3>([]<int D>() {
+    return Claim{
+        .id = "shepard.interpolates_with_a_singular_kernel",
+        .source = {Paper::adams2009, "Sec. 2.1"},
+        .says =
+            "with ω(0) = ∞ the value at, and 1e-8 beside, a sample is that of the sample; this "
+            "is so for the quotient, not for the sum of Eq. 3, which tends to ∞",
+        .bound = at_most(4e-6,
+                         "the others weigh Σ (1 − q)³/q < 100 · 2.5 against 2.5e8, q > 1/5, "
+                         "and |fⱼ − fᵢ| < 2"),
+        .measure =
+            [] {
+                return distance_from_samples<Singular<D>>(
+                    [](const auto& w, const auto& s, const auto& f, const auto& at) {
+                        return shepard(w, s, f, at).value();
+                    });
+            },
+        .sabotaged =
+            [] {
+                return distance_from_samples<Singular<D>>(
+                    [](const auto& w, const auto& s, const auto& f, const auto& at) {
+                        return interpolate(w, s, f, at);
+                    });
+            }};
 })};
 const Register on_lattices{Claim{
     .id = "shepard.equals_eq_3_on_lattices",

@@ -95,7 +95,7 @@ template <int Dim, class Form> double change_of_divergence(Form form, bool turn)
     });
 }
 
-const Register of_constants{in_dimensions<2, 3>([]<int D>() {
+const Register of_constants{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_divergence.difference_kills_constants",
         .source = {Paper::adams2009, "Eq. 14"},
@@ -105,7 +105,7 @@ const Register of_constants{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return of_a_constant<D>(difference); },
         .sabotaged = [] { return of_a_constant<D>(summation); }};
 })};
-const Register trace_of_summation{in_dimensions<2, 3>([]<int D>() {
+const Register trace_of_summation{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_divergence.summation_is_a_trace",
         .source = {Paper::adams2009, "Eqs. 9, 12"},
@@ -114,7 +114,7 @@ const Register trace_of_summation{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return distance_from_trace<D>(summation, gradient_by_summation); },
         .sabotaged = [] { return distance_from_trace<D>(summation, gradient_by_difference); }};
 })};
-const Register trace_of_difference{in_dimensions<2, 3>([]<int D>() {
+const Register trace_of_difference{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_divergence.difference_is_a_trace",
         .source = {Paper::adams2009, "Eqs. 13, 14"},
@@ -148,7 +148,7 @@ const Register of_expansions{
           .bound = at_most(1e-13, "up to 250 terms, Σ |terms| < 3: 3 · 260 · 1.1e-16"),
           .measure = [] { return of_an_expansion(space_lattices(), 1.0); },
           .sabotaged = [] { return of_an_expansion(space_lattices(), 0.8); }}};
-const Register moves{in_dimensions<2, 3>([]<int D>() {
+const Register moves{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_divergence.turns_with_the_samples",
         .source = {Paper::adams2009, "Eqs. 12, 14"},

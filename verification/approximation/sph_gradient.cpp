@@ -141,10 +141,11 @@ std::vector<Claim> claims_on_lattices(const std::vector<KnownLattice<Dim>>& latt
              .sabotaged = [&known] { return error_on_lattice(known, 0.8); }});
     return claims;
 }
+const Register on_the_line{claims_on_lattices(line_lattices())};
 const Register on_plane_lattices{claims_on_lattices(plane_lattices())};
 const Register on_space_lattices{claims_on_lattices(space_lattices())};
 
-const Register constants_by_difference{in_dimensions<2, 3>([]<int D>() {
+const Register constants_by_difference{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "sph_gradient.difference_kills_constants",
                  .source = {Paper::adams2009, "Eq. 13"},
                  .says = "subtracting fᵢ makes the gradient of a constant vanish, on any samples",
@@ -152,7 +153,7 @@ const Register constants_by_difference{in_dimensions<2, 3>([]<int D>() {
                  .measure = [] { return of_a_constant<D>(difference); },
                  .sabotaged = [] { return of_a_constant<D>(summation); }};
 })};
-const Register constants_by_summation{in_dimensions<2, 3>([]<int D>() {
+const Register constants_by_summation{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "sph_gradient.summation_does_not_kill_constants",
                  .source = {Paper::adams2009, "Eq. 9; Sec. 2.2"},
                  .says = "Eq. 9 can yield gradients that are not zero for constant f: h ‖∇1‖",
@@ -162,7 +163,7 @@ const Register constants_by_summation{in_dimensions<2, 3>([]<int D>() {
                  .measure = [] { return of_a_constant<D>(summation); },
                  .sabotaged = [] { return of_a_constant<D>(difference); }};
 })};
-const Register constants_on_lattice{in_dimensions<2, 3>([]<int D>() {
+const Register constants_on_lattice{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "sph_gradient.summation_kills_constants_on_lattices",
                  .source = {Paper::adams2009, "Eq. 9"},
                  .says =
@@ -176,7 +177,7 @@ const Register constants_on_lattice{in_dimensions<2, 3>([]<int D>() {
                                                  {.support = 0, .jitter = 0.1});
                      }};
 })};
-const Register derivative_of_the_sum{in_dimensions<2, 3>([]<int D>() {
+const Register derivative_of_the_sum{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_gradient.summation_is_the_derivative_of_the_sum",
         .source = {Paper::adams2009, "Eqs. 3, 9"},
@@ -186,7 +187,7 @@ const Register derivative_of_the_sum{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return error_of_derivative<D>(derivative); },
         .sabotaged = [] { return error_of_derivative<D>(derivative_from_the_other_end); }};
 })};
-const Register kernel_gradient{in_dimensions<2, 3>([]<int D>() {
+const Register kernel_gradient{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{.id = "sph_gradient.of_the_kernel_is_radial",
                  .source = {Paper::adams2009, "Eq. 10"},
                  .says = "∇ω(‖x‖) = ω′ x / ‖x‖ is the derivative of ω along each axis",
@@ -202,7 +203,7 @@ const Register kernel_gradient{in_dimensions<2, 3>([]<int D>() {
                      });
                  }};
 })};
-const Register linear_fields{in_dimensions<2, 3>([]<int D>() {
+const Register linear_fields{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_gradient.misses_linear_fields",
         .source = {Paper::adams2009, "Eq. 13; Sec. 2.2"},
@@ -215,7 +216,7 @@ const Register linear_fields{in_dimensions<2, 3>([]<int D>() {
                     [](const auto&, const auto&, Index) { return Vec<D>(Vec<D>::Unit(0)); }, 0.2);
             }};
 })};
-const Register on_the_surface{in_dimensions<2, 3>([]<int D>() {
+const Register on_the_surface{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_gradient.normal_derivative_halves_on_surface",
         .source = {Paper::adams2009, "Eq. 13; Sec. 2.2"},
@@ -225,7 +226,7 @@ const Register on_the_surface{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return normal_derivative_on_surface(cubic_lattice<D>(1.0), 1); },
         .sabotaged = [] { return normal_derivative_on_surface(cubic_lattice<D>(1.0), 0); }};
 })};
-const Register summation_moves{in_dimensions<2, 3>([]<int D>() {
+const Register summation_moves{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_gradient.summation_turns_with_the_samples",
         .source = {Paper::adams2009, "Eq. 9"},
@@ -234,7 +235,7 @@ const Register summation_moves{in_dimensions<2, 3>([]<int D>() {
         .measure = [] { return change_of_gradient<D>(summation, true); },
         .sabotaged = [] { return change_of_gradient<D>(summation, false); }};
 })};
-const Register difference_moves{in_dimensions<2, 3>([]<int D>() {
+const Register difference_moves{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_gradient.difference_turns_with_the_samples",
         .source = {Paper::adams2009, "Eq. 13"},

@@ -16,15 +16,17 @@ constexpr auto even = [](const auto&) { return 1.0; };
 constexpr double h = 0.5;
 constexpr auto lopsided = [](const auto& y) { return 1.0 + y[0] / h; };  // ∫ ω = 1 still
 
-template <int Dim> double affine(const Vec<Dim>& x) { return 2.0 + 3.0 * x[0] - x[1]; }
+template <int Dim> double affine(const Vec<Dim>& x) { return 2.0 + 3.0 * x[0] - x[Dim - 1]; }
 template <int Dim, class Skew> double affine_error(Skew skew) {
     const Vec<Dim> x = Vec<Dim>::LinSpaced(0.3, 0.9);
     return std::abs(smoothed(Poly6<Dim>(h), affine<Dim>, x, skew) - affine<Dim>(x));
 }
-/// (f̃ − f) / (h² Δf) of f = x₀² + x₀ x₁, Δf = 2.
+/// (f̃ − f) / (h² Δf) of f = x₀² + x₀ x_last (x₀² on the line), Δf = 2.
 template <int Dim, class Skew> double error_per_laplacian(Skew skew) {
     const Vec<Dim> x = Vec<Dim>::LinSpaced(0.3, 0.9);
-    const auto f = [](const Vec<Dim>& p) { return p[0] * p[0] + p[0] * p[1]; };
+    const auto f = [](const Vec<Dim>& p) {
+        return p[0] * p[0] + (Dim > 1 ? p[0] * p[Dim - 1] : 0.0);
+    };
     return (smoothed(Poly6<Dim>(h), f, x, skew) - f(x)) / (h * h * 2.0);
 }
 /// f̃ / f of a wave, with the support 1: for poly6 Γ(5) (2 / k)⁴ J₄(k), its Fourier transform.
@@ -157,6 +159,12 @@ const Register claims_of_sph_interpolation{
                 };
                 return skewed(0.5) / skewed(0.25);
             }},
+    Claim{.id = "sph_interpolation.smoothing_keeps_affine_1d",
+          .source = {Paper::adams2009, "Eq. 2"},
+          .says = "f̃ = f for affine f, since the kernel is even and ∫ ω dV = 1",
+          .bound = at_most(1e-12, "relative accuracy of the quadrature in r is 1e-13, |f| < 5"),
+          .measure = [] { return affine_error<1>(even); },
+          .sabotaged = [] { return affine_error<1>(lopsided); }},
     Claim{.id = "sph_interpolation.smoothing_keeps_affine_2d",
           .source = {Paper::adams2009, "Eq. 2"},
           .says = "f̃ = f for affine f, since the kernel is even and ∫ ω dV = 1",
@@ -169,6 +177,14 @@ const Register claims_of_sph_interpolation{
           .bound = at_most(1e-12, "relative accuracy of the quadrature in r is 1e-13, |f| < 5"),
           .measure = [] { return affine_error<3>(even); },
           .sabotaged = [] { return affine_error<3>(lopsided); }},
+    Claim{
+        .id = "sph_interpolation.smoothing_adds_a_laplacian_1d",
+        .source = {Paper::adams2009, "Eq. 2"},
+        .says =
+            "f̃ = f + μ/2 h² Δf for quadratic f, μ = 1/9 being the variance of poly6 along an axis",
+        .bound = between(1.0 / 18 - 1e-12, 1.0 / 18 + 1e-12, "accuracy of the quadrature"),
+        .measure = [] { return error_per_laplacian<1>(even); },
+        .sabotaged = [] { return error_per_laplacian<1>(lopsided); }},
     Claim{
         .id = "sph_interpolation.smoothing_adds_a_laplacian_2d",
         .source = {Paper::adams2009, "Eq. 2"},
@@ -202,6 +218,14 @@ const Register claims_of_sph_interpolation{
                          "2.5e-6 (a² + b²)^-9/4, whose sum is 5.4 times the first"),
         .measure = [] { return distance_from_one_on_fine_lattice(0.0); },
         .sabotaged = [] { return distance_from_one_on_fine_lattice(0.01); }},
+    Claim{
+        .id = "sph_interpolation.unit_mass_is_not_shepard_1d",
+        .source = {Paper::adams2009, "Sec. 2"},
+        .says = "|Σ Φⱼ − 1| of Shepard; Eq. 3 with mⱼ = 1 is not the same, as the text says it is",
+        .bound = at_most(40 * unit_roundoff, "a quotient of two equal sums of up to 6 terms"),
+        .measure = [] { return distance_from_one<1>(by_shepard); },
+        .sabotaged = [] { return distance_from_one<1>(by_eq_3); },
+        .erratum = 29},
     Claim{
         .id = "sph_interpolation.unit_mass_is_not_shepard_2d",
         .source = {Paper::adams2009, "Sec. 2"},
@@ -245,6 +269,13 @@ const Register claims_of_sph_interpolation{
           .bound = between(0.0, 0.0, "the kernel is 0 there, not small"),
           .measure = [] { return far_from_all_samples(8.0); },
           .sabotaged = [] { return far_from_all_samples(7.0); }},
+    Claim{
+        .id = "sph_interpolation.scales_and_moves_1d",
+        .source = {Paper::adams2009, "Eq. 3"},
+        .says = "⟨f⟩ is the same for scaled, turned, shifted, reordered samples",
+        .bound = at_most(10 * position_rounding, "h ∫ |ω′| dV = 2.2 supports, volumes vary by 1.5"),
+        .measure = [] { return change_of_value<1>(true); },
+        .sabotaged = [] { return change_of_value<1>(false); }},
     Claim{
         .id = "sph_interpolation.scales_and_moves_2d",
         .source = {Paper::adams2009, "Eq. 3"},

@@ -167,7 +167,7 @@ std::vector<Claim> claims_on_lattices(const std::vector<KnownLattice<Dim>>& latt
 const Register on_plane_lattices{claims_on_lattices(plane_lattices())};
 const Register on_space_lattices{claims_on_lattices(space_lattices())};
 
-const Register of_constants{in_dimensions<2, 3>([]<int D>() {
+const Register of_constants{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_laplacian.difference_kills_constants",
         .source = {Paper::adams2009, "Eq. 15"},
@@ -208,7 +208,7 @@ const Register second_moment{in_dimensions<2, 3>([]<int D>() {
         .sabotaged = [] { return moment<D>(2, as_printed) / (2 * D); },
         .erratum = 17};
 })};
-const Register moves{in_dimensions<2, 3>([]<int D>() {
+const Register moves{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_laplacian.scales_and_moves",
         .source = {Paper::adams2009, "Eqs. 11, 15"},

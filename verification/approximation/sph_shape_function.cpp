@@ -41,7 +41,7 @@ template <int Dim, class VolumeOf> double distance_from_sums(VolumeOf volume_of)
     return worst;
 }
 
-const Register claims_of_shape_functions{in_dimensions<2, 3>([]<int D>() {
+const Register claims_of_shape_functions{in_dimensions<1, 2, 3>([]<int D>() {
     return Claim{
         .id = "sph_shape_function.sums_are_the_interpolation",
         .source = {Paper::adams2009, "Eqs. 39, 40"},

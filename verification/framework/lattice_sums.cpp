@@ -11,6 +11,11 @@ int sum_over_divisors(int n, int (*sign)(int)) {
     return sum;
 }
 
+int one_square(int n) {
+    for (int a = 1; a * a <= n; ++a)
+        if (a * a == n) return 2;
+    return n == 0 ? 1 : 0;
+}
 /// In how many ways is n = a² + b²? Jacobi 1829.
 int two_squares(int n) {
     const auto sign = [](int d) { return d % 4 == 1 ? 1 : d % 4 == 3 ? -1 : 0; };
@@ -44,6 +49,11 @@ auto shells(int (*ways)(int), int nearest) {
 }
 }  // namespace
 
+const std::vector<KnownLattice<1>>& line_lattices() {
+    static const std::vector<KnownLattice<1>> all{
+        {"line", cubic_lattice<1>(1.0), 1, shells(one_square, 1)}};
+    return all;
+}
 const std::vector<KnownLattice<2>>& plane_lattices() {
     static const std::vector<KnownLattice<2>> all{
         {"square", cubic_lattice<2>(1.0), 1, shells(two_squares, 1)},

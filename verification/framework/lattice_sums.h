@@ -25,6 +25,8 @@ template <int Dim> struct KnownLattice {
     std::function<std::vector<Shell>(double limit)> shells;
 };
 
+/// the line: two points at each whole distance.
+const std::vector<KnownLattice<1>>& line_lattices();
 /// square (Jacobi: 4 Σ over odd divisors of n of ±1), hexagonal (6 Σ over divisors of ±1, mod 3).
 const std::vector<KnownLattice<2>>& plane_lattices();
 /// simple cubic (sums of three squares), body-centred and face-centred cubic (its subsets).
