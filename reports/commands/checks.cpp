@@ -9,6 +9,12 @@
 
 namespace reports {
 
+namespace {
+namespace fs = std::filesystem;
+
+bool may_write(const fs::path& path) { return access(path.c_str(), W_OK) == 0; }
+}  // namespace
+
 CLI::Validator positive_number() {
     return {[](const std::string& text) -> std::string {
                 char* end = nullptr;
@@ -22,22 +28,38 @@ CLI::Validator positive_number() {
 
 CLI::Validator output_file() {
     return {[](const std::string& text) -> std::string {
-                namespace fs = std::filesystem;
-                if (text == "-") return {};
-                const fs::path path(text), folder = fs::absolute(path).parent_path();
                 std::error_code no;
-                const bool exists = fs::exists(path, no);
-                const char* why = nullptr;
-                if (!fs::is_directory(folder, no))
-                    why = "its folder does not exist";
-                else if (text.empty() || fs::is_directory(path, no))
-                    why = "that is a folder";
-                else if (access(exists ? path.c_str() : folder.c_str(), W_OK) != 0)
-                    why = "permission denied";
-                if (!why) return {};
-                return fmt::format("expected a file to write, found \"{}\": {}", text, why);
+                const fs::path path(text), folder = fs::absolute(path, no).parent_path();
+                const auto refused = [&](const char* why) {
+                    return fmt::format("expected a file to write, found \"{}\": {}", text, why);
+                };
+                if (text == "-") return {};
+                if (!fs::is_directory(folder, no)) return refused("its folder does not exist");
+                if (text.empty()) return refused("that is no name");
+                if (fs::is_directory(path, no)) return refused("that is a folder");
+                if (!may_write(fs::exists(path, no) ? path : folder))
+                    return refused("permission denied");
+                return {};
             },
             "FILE"};
+}
+
+CLI::Validator output_folder() {
+    return {[](const std::string& text) -> std::string {
+                std::error_code no;
+                const auto refused = [&](const char* why) {
+                    return fmt::format("expected a folder to write into, found \"{}\": {}", text,
+                                       why);
+                };
+                if (text.empty()) return refused("that is no name");
+                fs::path there = fs::absolute(text, no);
+                while (!fs::exists(there, no) && there != there.parent_path())
+                    there = there.parent_path();
+                if (!fs::is_directory(there, no)) return refused("that is a file");
+                if (!may_write(there)) return refused("permission denied");
+                return {};
+            },
+            "FOLDER"};
 }
 
 }  // namespace reports

@@ -1,5 +1,6 @@
 #include "reports/comparison.h"
 
+#include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/files.h"
 #include "reports/read_json.h"
@@ -52,7 +53,8 @@ const RegisterCommand command{
          app.add_flag("--all", options->all, "list what is the same, too");
          app.add_option("--json", options->json, "write the changes to this file, - for stdout")
              ->expected(0, 1)
-             ->default_str("-");
+             ->default_str("-")
+             ->check(output_file());
          return [options] { return compare_files(*options); };
      }}};
 }  // namespace

@@ -103,7 +103,8 @@ const RegisterCommand command{
          app.add_flag("--quick", options->quick, "only the coarser levels");
          app.add_option("-o,--output", options->folder,
                         "write a chart (SVG, PNG) and a table (CSV) of each study to this "
-                        "folder; a run that was interrupted continues from what is there");
+                        "folder; a run that was interrupted continues from what is there")
+             ->check(output_folder());
          app.add_option("--json", options->json, "write the results to this file, - for stdout")
              ->expected(0, 1)
              ->default_str("-")

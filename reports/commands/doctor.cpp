@@ -1,3 +1,4 @@
+#include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/json.h"
 #include "reports/noise_floor.h"
@@ -89,7 +90,8 @@ const RegisterCommand command{
          const auto json = std::make_shared<std::string>();
          app.add_option("--json", *json, "write it to this file, - for stdout")
              ->expected(0, 1)
-             ->default_str("-");
+             ->default_str("-")
+             ->check(output_file());
          return [json] { return doctor(*json); };
      }}};
 }  // namespace

@@ -80,7 +80,8 @@ const RegisterCommand command{
              ->expected(0, 1)
              ->default_str("-")
              ->check(output_file());
-         app.add_option("-o,--output", options->directory, "draw charts into this folder");
+         app.add_option("-o,--output", options->directory, "draw charts into this folder")
+             ->check(output_folder());
          return [options] { return frontier(*options); };
      }}};
 }  // namespace

@@ -1,3 +1,4 @@
+#include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/comparison.h"
 #include "reports/files.h"
@@ -81,6 +82,7 @@ const RegisterCommand command{
          app.add_option("-o,--output", options->folder,
                         "the folder for index.html, report.json and the charts; a run that was "
                         "interrupted continues from what is there")
+             ->check(output_folder())
              ->capture_default_str();
          app.add_flag("--quick", options->quick, "coarser studies, smaller clouds: minutes");
          app.add_option("--baseline", options->baseline, "compare with this earlier report.json");

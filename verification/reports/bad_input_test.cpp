@@ -11,6 +11,51 @@ struct BadInput {
     int exit_code = 2;
 };
 
+const std::vector<std::pair<std::string, std::string>> files{
+    {"good.csv", "x,y,f\n0,0,1\n1,0,2\n0,1,3\n"},
+    {"at.csv", "x,y\n0.2,0.2\n"},
+    {"at_in_space.csv", "x,y,z\n0.2,0.2,0.2\n"},
+    {"empty.csv", ""},
+    {"header_only.csv", "x,y,f\n"},
+    {"no_y.csv", "x,f\n0,1\n"},
+    {"twice.csv", "x,y,x\n0,1,2\n"},
+    {"word.csv", "x,y,f\n0,0,1\n1,zero,1\n"},
+    {"nan.csv", "x,y,f\n0,nan,1\n"},
+    {"infinite.csv", "x,y,f\n0,0,inf\n"},
+    {"huge.csv", "x,y,f\n0,0,1e999\n"},
+    {"cut.csv", "x,y,f\n0,0,1\n1,0"},
+    {"long_row.csv", "x,y,f\n0,0,1,2\n"},
+    {"no_field.csv", "x,y\n0,0\n"},
+    {"negative_mass.csv", "x,y,f,m\n0,0,1,1\n1,0,1,-1\n"},
+    {"far_away.csv", "x,y,f\n1e200,0,1\n"},
+    {"picture.csv", "\x89PNG\r\n\x1a\n"},
+    {"cut.ply",
+     "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+     "end_header\n0 0\n"},
+    {"cut.vtp", "<VTKFile type=\"PolyData\"><PolyData>"},
+    {"cut.xyz", "3\nthree points\n0 0 0\n1 0 0\n"},
+    {"cut.json", "{\"schema\": \"plumbline.claims/1\", \"claims\": ["},
+    {"other.json", "{\"name\": \"of another program\"}"},
+    {"list.json", "[1, 2]"}};
+
+/// `approximate` with one argument, or its value, wrong.
+std::vector<std::string> approximate(const std::string& option, const std::string& value) {
+    std::vector<std::string> arguments{"approximate"};
+    for (const auto& [name, good] : {std::pair{"--samples", "good.csv"},
+                                     {"--at", "at.csv"},
+                                     {"--method", "sph"},
+                                     {"--kernel", "poly6"},
+                                     {"--support", "2"}}) {
+        arguments.push_back(name);
+        arguments.push_back(option == name ? value : good);
+    }
+    return arguments;
+}
+std::vector<std::string> samples(const std::string& file) { return approximate("--samples", file); }
+std::vector<std::string> neighbours_of(const std::string& file) {
+    return {"neighbours", "--points", file, "--radius", "0.5"};
+}
+
 const std::vector<BadInput> table{
     {{}, "no command given; expected one of: "},
     {{"fly"}, "no command \"fly\"; expected one of: "},
@@ -51,6 +96,55 @@ const std::vector<BadInput> table{
      "expected numbers r1,r2,..., found \"1e400\" as number 1"},
     {{"kernel", "poly6", "--at", "-1"}, "expected radii r >= 0, found -1"},
     {{"kernel", "poly6", "--at", "nan"}, "expected radii r >= 0, found nan"},
+
+    {samples("nowhere.csv"), "nowhere.csv: expected a readable file, found none of that name"},
+    {samples("."), ".: expected a readable file, found a directory"},
+    {samples("empty.csv"), "empty.csv: expected a readable file, found an empty one"},
+    {samples("header_only.csv"), "header_only.csv:1:1: expected at least one point"},
+    {samples("no_y.csv"),
+     "no_y.csv:1:1: expected a header x,y[,z][,further columns] with a column \"y\""},
+    {samples("twice.csv"), "twice.csv:1:"},
+    {samples("word.csv"), "word.csv:3:3: expected a finite number, found \"zero\""},
+    {samples("nan.csv"), "nan.csv:2:3: expected a finite number, found \"nan\""},
+    {samples("infinite.csv"), "infinite.csv:2:5: expected a finite number, found \"inf\""},
+    {samples("huge.csv"), "huge.csv:2:5: expected a number that fits into a double"},
+    {samples("cut.csv"), "cut.csv:3:4: expected 3 fields as in the header, found 2"},
+    {samples("long_row.csv"), "long_row.csv:2:"},
+    {samples("no_field.csv"), "no_field.csv: expected a column \"f\", found coordinates only"},
+    {samples("negative_mass.csv"), "expected a positive finite mass, found -1"},
+    {samples("far_away.csv"), "expected a finite coordinate below 1e150"},
+    {samples("picture.csv"), "picture.csv:1:1: expected text, found a PNG image"},
+    {samples("cut.ply"), "cut.ply: vertex 2 of 2: expected its values, found the end of the file"},
+    {samples("cut.vtp"), "cut.vtp:1: expected well-formed XML"},
+    {samples("cut.xyz"), "cut.xyz:1:1: expected the count of the points that follow, 2"},
+    {approximate("--at", "at_in_space.csv"), "found 2D samples and 3D points"},
+    {approximate("--method", "mls:4"), "found \"mls:4\""},
+    {approximate("--method", "splines"), "expected sph, shepard, mls:N, mlsph:N"},
+    {approximate("--kernel", "top_hat"), "no kernel \"top_hat\" in 2D; expected one of: "},
+    {approximate("--support", "0"), "expected a positive, finite support, found 0"},
+    {approximate("--support", "-1"), "expected a positive, finite support, found -1"},
+    {approximate("--support", "nan"), "expected a positive, finite support, found nan"},
+    {approximate("--support", "wide"), "Could not convert: --support = wide"},
+    {{"approximate", "--samples", "good.csv"}, "is required"},
+
+    {neighbours_of("nowhere.csv"), "nowhere.csv: expected a readable file, found none"},
+    {neighbours_of("empty.csv"), "empty.csv: expected a readable file, found an empty one"},
+    {neighbours_of("header_only.csv"), "header_only.csv:1:1: expected at least one point"},
+    {neighbours_of("nan.csv"), "nan.csv:2:3: expected a finite number, found \"nan\""},
+
+    {{"frontier", "everything"}, "everything"},
+    {{"frontier", "gradient", "-o", "good.csv"}, "found \"good.csv\": that is a file"},
+
+    {{"compare"}, "is required"},
+    {{"compare", "nowhere.json", "list.json"}, "nowhere.json: expected a file that can be read"},
+    {{"compare", "cut.json", "cut.json"}, "cut.json:1:45: expected JSON, as --json writes it"},
+    {{"compare", "other.json", "other.json"}, "expected a result of plumbline with a \"schema\""},
+    {{"compare", "list.json", "other.json"}, "expected a result of plumbline with a \"schema\""},
+
+    {{"report", "-o", "good.csv"}, "found \"good.csv\": that is a file"},
+    {{"report", "--baseline", "nowhere.json"}, "nowhere.json: expected a file that can be read"},
+    {{"report", "--baseline", "cut.json"}, "cut.json:1:45: expected JSON, as --json writes it"},
+    {{"doctor", "--json", "no/folder.json"}, "its folder does not exist"},
 };
 
 std::string sentence(const std::vector<std::string>& arguments) {
@@ -60,7 +154,9 @@ std::string sentence(const std::vector<std::string>& arguments) {
 }
 
 TEST_CASE("bad input gets a message and an exit code, and never an answer") {
+    REQUIRE(table.size() >= 40);
     const ScratchFolder folder;
+    for (const auto& [name, bytes] : files) folder.write(name, bytes);
     for (const BadInput& bad : table) {
         const ProgramRun run = run_plumbline(folder, bad.arguments);
         INFO(sentence(bad.arguments) << "\nstdout: " << run.out << "\nstderr: " << run.err);
