@@ -24,7 +24,7 @@ std::vector<std::string> methods_of(const Frontier& frontier) {
 }
 
 std::string command_of(const Frontier& frontier) {
-    return "plumbline frontier " + task_of(frontier.quantity);
+    return fmt::format("plumbline frontier {} --dim {}", task_of(frontier.quantity), frontier.dim);
 }
 
 Chart::Axis error_axis(const Frontier& frontier) {
@@ -53,9 +53,10 @@ Chart::Series series_of(const std::string& name, const Frontier& frontier,
 std::string counts_of(const Frontier& frontier) {
     const auto count = [&](auto what) { return std::ranges::count_if(frontier.candidates, what); };
     return fmt::format(
-        "Franke's function, jittered samples, one thread. {} combinations of method, kernel, "
+        "{}, jittered samples, one thread. {} combinations of method, kernel, "
         "h/spacing and number of samples; {} failed (singular or no answer; on the upper rim), {} "
         "are on a floor, {} get worse with more samples. A/A noise {:.1f} %.",
+        frontier.dim == 2 ? "Franke's function" : "Plane waves in space",
         frontier.candidates.size(), count([](const Candidate& c) { return c.failed(); }),
         count([](const Candidate& c) { return c.trend == benchmarks::Trend::saturated; }),
         count([](const Candidate& c) { return c.trend == benchmarks::Trend::grows; }),
@@ -65,12 +66,14 @@ std::string counts_of(const Frontier& frontier) {
 Chart field_chart(const Frontier& frontier) {
     Chart chart{
         .finding = frontier.finding,
-        .x = {"time for all samples of the unit square: search, densities, evaluation", "s", true},
+        .x = {fmt::format("time for all samples of the unit {}: search, densities, evaluation",
+                          frontier.dim == 2 ? "square" : "cube"),
+              "s", true},
         .y = error_axis(frontier),
         .series = {},
         .caption = counts_of(frontier),
-        .alt = fmt::format("Error against time of every method for the {}; {}.",
-                           name_of(frontier.quantity), frontier.finding),
+        .alt = fmt::format("Error against time of every method for the {} in {}D; {}.",
+                           name_of(frontier.quantity), frontier.dim, frontier.finding),
         .command = command_of(frontier)};
     for (const std::string& method : methods_of(frontier))
         chart.series.push_back(series_of(method, frontier, method, [](const Candidate& c) {
@@ -175,6 +178,7 @@ Json json_of(const Frontier& frontier) {
     for (const PrecomputedRatio& r : frontier.precomputed) ratios.push_back(json_of(r));
     for (const Candidate& c : frontier.candidates) candidates.push_back(json_of(c));
     return {{"task", task_of(frontier.quantity)},
+            {"dim", frontier.dim},
             {"finding", frontier.finding},
             {"noise", number(frontier.noise)},
             {"statement",
@@ -184,10 +188,31 @@ Json json_of(const Frontier& frontier) {
             {"candidates", std::move(candidates)}};
 }
 
+std::string name_of(const Frontier& frontier) {
+    return fmt::format("{}_{}d", task_of(frontier.quantity), frontier.dim);
+}
+
 std::vector<NamedChart> charts_of(const Frontier& frontier) {
-    const std::string name = "frontier_" + task_of(frontier.quantity);
+    const std::string name = "frontier_" + name_of(frontier);
     return {{name + "_per_field", field_chart(frontier)},
             {name + "_per_place", place_chart(frontier)}};
+}
+
+std::string csv_of(const Frontier& frontier) {
+    const auto median = [](const std::optional<benchmarks::Timing>& t) {
+        return t ? fmt::format("{}", t->median_s) : std::string();
+    };
+    std::string text =
+        "method,kernel,support_in_spacings,samples_per_metre,mean_neighbours,error,failures,places,"
+        "trend,on_front,search_s,volumes_s,evaluation_s,precomputation_s,application_s,per_place_s,"
+        "per_field_s\n";
+    for (const Candidate& c : frontier.candidates)
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", c.method,
+                            c.kernel, c.support_in_spacings, c.samples_per_metre, c.mean_neighbours,
+                            c.error, c.failures, c.places, name_of(c.trend), c.on_front, c.search_s,
+                            c.volumes_s, c.evaluation.median_s, median(c.precomputation),
+                            median(c.application), c.per_place_s(), c.per_field_s());
+    return text;
 }
 
 }  // namespace reports

@@ -15,13 +15,19 @@ Json json_of(const benchmarks::Candidate& candidate);
 Json json_of(const benchmarks::PrecomputedRatio& ratio);
 Json json_of(const benchmarks::Frontier& frontier);
 
+/// "gradient_2d": what tells it from other frontiers, also in names of files.
+std::string name_of(const benchmarks::Frontier& frontier);
+
 /// A chart and the name of its files.
 struct NamedChart {
     std::string name;
     Chart chart;
 };
-/// Error against the time for all samples of the unit square, with the Pareto front; and error
+/// Error against the time for all samples of the unit box, with the Pareto front; and error
 /// against the time per place, evaluated anew and with shape functions computed once.
 std::vector<NamedChart> charts_of(const benchmarks::Frontier& frontier);
+
+/// All candidates, one per row, with a header: times in seconds, empty where there is none.
+std::string csv_of(const benchmarks::Frontier& frontier);
 
 }  // namespace reports

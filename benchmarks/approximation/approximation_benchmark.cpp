@@ -12,14 +12,14 @@ using verification::Quantity;
 constexpr int samples_per_metre = 80;
 constexpr std::size_t most_places = 1000;
 
-std::vector<PreparedMethod> methods_on(const Situation& s) {
+std::vector<PreparedMethod> methods_on(const Situation<2>& s) {
     std::vector<PreparedMethod> methods = sph_methods(s, Quantity::value);
     for (PreparedMethod& method : mls_methods(s, Quantity::value))
         methods.push_back(std::move(method));
     return methods;
 }
 
-template <class Work> void per_place(benchmark::State& state, const Situation& s, Work work) {
+template <class Work> void per_place(benchmark::State& state, const Situation<2>& s, Work work) {
     std::vector<double> out(s.places.size());
     for (auto _ : state) {
         work(out);
@@ -28,7 +28,7 @@ template <class Work> void per_place(benchmark::State& state, const Situation& s
     state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * s.places.size()));
 }
 
-void register_all(const Situation& s) {
+void register_all(const Situation<2>& s) {
     for (const PreparedMethod& method : methods_on(s)) {
         const std::string name =
             method.name + "/h=" + std::to_string(s.support / s.spacing).substr(0, 3);
@@ -51,8 +51,8 @@ void register_all(const Situation& s) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const Situation near(Quantity::value, "poly6", 2.5, samples_per_metre, most_places);
-    const Situation far(Quantity::value, "poly6", 3.5, samples_per_metre, most_places);
+    const Situation<2> near(Quantity::value, "poly6", 2.5, samples_per_metre, most_places);
+    const Situation<2> far(Quantity::value, "poly6", 3.5, samples_per_metre, most_places);
     register_all(near);
     register_all(far);
     benchmark::Initialize(&argc, argv);

@@ -1,9 +1,7 @@
 #include "benchmarks/approximation/frontier.h"
 
 #include "benchmarks/approximation/frontier_methods.h"
-#include "solver/approximation/density.h"
 #include "solver/foundation/parallel.h"
-#include "solver/neighbours/cell_grid.h"
 #include "verification/framework/statistics.h"
 
 #include <algorithm>
@@ -16,7 +14,6 @@ namespace benchmarks {
 namespace {
 using namespace plumbline;
 using verification::Effort;
-using verification::Franke;
 using verification::Quantity;
 
 struct Plan {
@@ -26,9 +23,13 @@ struct Plan {
     int rounds;
 };
 
-Plan plan_of(Effort effort) {
-    if (effort == Effort::quick) return {{1.5, 2.0, 2.5, 3.5}, {20, 40, 80, 160}, 1000, 15};
-    return {{1.5, 2.0, 2.5, 3.0, 3.5, 4.5}, {20, 40, 80, 160, 320}, 2000, 25};
+Plan plan_of(int dim, Effort effort) {
+    const bool quick = effort == Effort::quick;
+    if (dim == 2)
+        return quick ? Plan{{1.5, 2.0, 2.5, 3.5}, {20, 40, 80, 160}, 400, 9}
+                     : Plan{{1.5, 2.0, 2.5, 3.0, 3.5, 4.5}, {20, 40, 80, 160, 320}, 2000, 25};
+    return quick ? Plan{{1.5, 2.0, 2.5, 3.0}, {8, 12, 18, 27}, 200, 7}
+                 : Plan{{1.5, 2.0, 2.5, 3.0, 3.5}, {8, 12, 18, 27, 40}, 1000, 15};
 }
 
 /// One thread, so that methods are compared and not schedules; what was set is put back.
@@ -43,20 +44,22 @@ private:
     int before_ = thread_count();
 };
 
-double error_of(const Situation& s, Quantity quantity, std::span<const double> answers) {
+template <int Dim>
+double error_of(const Situation<Dim>& s, Quantity quantity, std::span<const double> answers) {
+    using Exact = verification::TestFunction<Dim>;
     double squares = 0;
     for (std::size_t k = 0; k < s.places.size(); ++k) {
-        const Vec<2>& x = s.places[k];
+        const Vec<Dim>& x = s.places[k];
         switch (quantity) {
             case Quantity::value:
-                squares += std::pow(answers[k] - Franke::value(x), 2);
+                squares += std::pow(answers[k] - Exact::value(x), 2);
                 break;
             case Quantity::gradient:
-                squares += (Vec<2>(answers[2 * k], answers[2 * k + 1]) - Franke::gradient(x))
+                squares += (Eigen::Map<const Vec<Dim>>(&answers[Dim * k]) - Exact::gradient(x))
                                .squaredNorm();
                 break;
             case Quantity::laplacian:
-                squares += std::pow(answers[k] - Franke::laplacian(x), 2);
+                squares += std::pow(answers[k] - Exact::laplacian(x), 2);
                 break;
         }
     }
@@ -72,21 +75,11 @@ double median_seconds(int rounds, const std::function<void()>& work) {
 struct SampleCosts {
     double search_s, volumes_s;  // per sample
 };
-SampleCosts sample_costs(const Situation& s, int rounds) {
+template <int Dim> SampleCosts sample_costs(const Situation<Dim>& s, int rounds) {
     const auto n = static_cast<double>(s.x.size());
-    const double search = median_seconds(rounds, [&] {
-        CellGrid<2> grid;
-        grid.build(s.x, s.support);
-        const NeighbourLists lists = grid.query(s.x);
-    });
-    double all_volumes = 0;
-    FrontierKernels::with<2>(s.kernel, s.support, [&](const auto& w) {
-        all_volumes = median_seconds(rounds, [&] {
-            const auto V = volumes(w, std::span<const Vec<2>>(s.x), std::span<const double>(s.m),
-                                   s.neighbours);
-        });
-    });
-    return {search / n, all_volumes / n};
+    const double search = median_seconds(rounds, [&] { s.find_neighbours(); });
+    const double volumes = median_seconds(rounds, [&] { s.sum_volumes(); });
+    return {search / n, volumes / n};
 }
 
 /// What one method takes, run by run.
@@ -94,9 +87,9 @@ struct Runs {
     std::vector<double> evaluation, precomputation, application;
 };
 
-Timing per_place(const std::vector<double>& seconds, const Situation& s) {
+Timing per_place(const std::vector<double>& seconds, std::size_t places) {
     const Timing all = summarise(seconds);
-    const auto n = static_cast<double>(s.places.size());
+    const auto n = static_cast<double>(places);
     return {all.median_s / n, all.mad_s / n};
 }
 
@@ -120,17 +113,19 @@ struct Measured {
 
 /// All methods on one situation, in turns, every other round backwards. The first method runs a
 /// second time, under no name: what its two medians differ by is noise.
-Measured measure_situation(const Situation& s, Quantity quantity, const Plan& plan) {
+template <int Dim>
+Measured measure_situation(const Situation<Dim>& s, Quantity quantity, const Plan& plan) {
     std::vector<PreparedMethod> methods = sph_methods(s, quantity);
     for (PreparedMethod& method : mls_methods(s, quantity)) methods.push_back(std::move(method));
     const SampleCosts costs = sample_costs(s, 3);
-    std::vector<double> out(s.places.size() * static_cast<std::size_t>(components_of(quantity)));
+    std::vector<double> out(s.places.size() * components_of<Dim>(quantity));
 
     Measured result;
     for (const PreparedMethod& method : methods) {
         Candidate c{};
         c.method = method.name;
         c.kernel = s.kernel;
+        c.dim = Dim;
         c.support_in_spacings = s.support / s.spacing;
         c.samples_per_metre = static_cast<int>(std::lround(1.0 / s.spacing));
         c.places = s.places.size();
@@ -152,10 +147,10 @@ Measured measure_situation(const Situation& s, Quantity quantity, const Plan& pl
     }
     for (std::size_t k = 0; k < methods.size(); ++k) {
         Candidate& c = result.candidates[k];
-        c.evaluation = per_place(runs[k].evaluation, s);
+        c.evaluation = per_place(runs[k].evaluation, c.places);
         if (runs[k].application.empty()) continue;
-        c.precomputation = per_place(runs[k].precomputation, s);
-        c.application = per_place(runs[k].application, s);
+        c.precomputation = per_place(runs[k].precomputation, c.places);
+        c.application = per_place(runs[k].application, c.places);
     }
     const double a = summarise(runs.front().evaluation).median_s;
     const double again = summarise(runs.back().evaluation).median_s;
@@ -200,6 +195,26 @@ double most_of(std::vector<double> values) {
     std::ranges::sort(values);
     return values[static_cast<std::size_t>(0.95 * static_cast<double>(values.size() - 1))];
 }
+/// All situations, one after the other, and what their A/A comparisons differ by.
+template <int Dim>
+Measured measure_situations(Quantity quantity, const Plan& plan,
+                            const std::function<void(double)>& between_steps) {
+    const auto kernels = FrontierKernels::names<Dim>();
+    const double steps =
+        static_cast<double>(kernels.size() * plan.supports.size() * plan.samples_per_metre.size());
+    Measured all;
+    double step = 0;
+    for (const std::string_view kernel : kernels)
+        for (const double support : plan.supports)
+            for (const int n : plan.samples_per_metre) {
+                if (between_steps) between_steps(step++ / steps);
+                const Situation<Dim> s(quantity, std::string(kernel), support, n, plan.places);
+                Measured one = measure_situation(s, quantity, plan);
+                std::ranges::move(one.candidates, std::back_inserter(all.candidates));
+                std::ranges::copy(one.differences, std::back_inserter(all.differences));
+            }
+    return all;
+}
 }  // namespace
 
 std::string_view name_of(Trend trend) {
@@ -216,28 +231,15 @@ std::string_view name_of(Trend trend) {
     return "";
 }
 
-Frontier measure_frontier(Quantity quantity, Effort effort,
+Frontier measure_frontier(Quantity quantity, int dim, Effort effort,
                           const std::function<void(double)>& between_steps) {
     const OneThread one_thread;
-    const Plan plan = plan_of(effort);
-    const auto kernels = FrontierKernels::names<2>();
-    const double steps =
-        static_cast<double>(kernels.size() * plan.supports.size() * plan.samples_per_metre.size());
-    Frontier frontier{quantity, {}, 0.0, {}, {}};
-    std::vector<double> differences;
-    double step = 0;
-    for (const std::string_view kernel : kernels)
-        for (const double support : plan.supports)
-            for (const int n : plan.samples_per_metre) {
-                if (between_steps) between_steps(step++ / steps);
-                const Situation s(quantity, std::string(kernel), support, n, plan.places);
-                Measured measured = measure_situation(s, quantity, plan);
-                for (Candidate& c : measured.candidates)
-                    frontier.candidates.push_back(std::move(c));
-                for (const double d : measured.differences) differences.push_back(d);
-            }
+    const Plan plan = plan_of(dim, effort);
+    Measured all = dim == 2 ? measure_situations<2>(quantity, plan, between_steps)
+                            : measure_situations<3>(quantity, plan, between_steps);
+    Frontier frontier{quantity, dim, std::move(all.candidates), 0.0, {}, {}};
     set_trends(frontier.candidates);
-    frontier.noise = most_of(std::move(differences));
+    frontier.noise = most_of(std::move(all.differences));
     for (const std::size_t k : pareto_front(frontier.candidates, &Candidate::per_field_s))
         frontier.candidates[k].on_front = true;
     frontier.precomputed = precomputed_ratios(frontier.candidates, frontier.noise);

@@ -4,6 +4,7 @@
 #include "verification/framework/approximation_errors.h"
 #include "verification/framework/study.h"
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ std::string_view name_of(Trend trend);
 /// All times on one thread.
 struct Candidate {
     std::string method, kernel;
+    int dim;
     double support_in_spacings;
     int samples_per_metre;
     double mean_neighbours;
@@ -34,8 +36,8 @@ struct Candidate {
     bool failed() const { return failures > 0 || !(error < HUGE_VAL); }
     /// Search, densities and evaluation, per place [s].
     double per_place_s() const { return search_s + volumes_s + evaluation.median_s; }
-    /// The same for all samples of the unit square [s].
-    double per_field_s() const { return per_place_s() * samples_per_metre * samples_per_metre; }
+    /// The same for all samples of the unit square, or cube [s].
+    double per_field_s() const { return per_place_s() * std::pow(samples_per_metre, dim); }
 };
 
 /// adams2009 Sec. 3, 3.1: with shape functions computed once, MLS is "as efficient as" SPH. Measured
@@ -51,16 +53,17 @@ struct PrecomputedRatio {
 
 struct Frontier {
     verification::Quantity quantity;
+    int dim;
     std::vector<Candidate> candidates;
     double noise;  // relative: 95 % of the A/A comparisons differ by less
     std::vector<PrecomputedRatio> precomputed;
     std::string finding;  // one sentence, from the numbers
 };
 
-/// Measures all methods for one quantity: Franke's function on jittered samples, 2D. Errors do not
-/// depend on the number of threads, nor on the run. `between_steps`, called with a share in [0, 1], may
-/// throw to end it.
-Frontier measure_frontier(verification::Quantity quantity, verification::Effort effort,
+/// Measures all methods for one quantity: the test function of `dim`, 2 or 3, on jittered samples.
+/// Errors do not depend on the number of threads, nor on the run. `between_steps`, called with a share
+/// in [0, 1], may throw to end it.
+Frontier measure_frontier(verification::Quantity quantity, int dim, verification::Effort effort,
                           const std::function<void(double)>& between_steps = {});
 
 /// Of those that did not fail: neither cost(c) nor the error can be had lower without raising the

@@ -8,6 +8,8 @@
 #include "verification/framework/approximation_errors.h"
 
 #include <functional>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,27 +20,32 @@ namespace benchmarks {
 using FrontierKernels =
     plumbline::KernelList<plumbline::Poly6, plumbline::CubicSpline, plumbline::WendlandC4>;
 
-/// Franke's function on jittered samples, and the places where it is approximated, in the unit square,
-/// far from the boundary of the samples. Derivatives are taken at samples, since some forms exist
+/// The test function of the dimension (Franke's in the plane, plane waves in space) on jittered samples,
+/// and the places where it is approximated, in the unit box, far from the boundary of the samples. Derivatives are taken at samples, since some forms exist
 /// nowhere else; values in between, at Halton points: at a sample with few neighbours every method
 /// that can hardly do anything but return the sample would look accurate.
-struct Situation {
+template <int Dim> struct Situation {
     std::string kernel;
     double spacing, support;  // [m]
-    plumbline::Points<2> x;
+    plumbline::Points<Dim> x;
     std::vector<double> m, rho, V, f;
     plumbline::NeighbourLists neighbours;  // of all samples
-    plumbline::Points<2> places;
+    plumbline::Points<Dim> places;
     plumbline::NeighbourLists rows;          // of the places
     std::vector<plumbline::Index> measured;  // the places as samples; empty if they are none
 
     Situation(verification::Quantity quantity, std::string kernel, double support_in_spacings,
               int samples_per_metre, std::size_t most_places);
-    plumbline::Samples<2> samples() const { return {x, V, neighbours}; }
+    /// The neighbours of all samples, found anew; their volumes, from densities summed anew.
+    plumbline::NeighbourLists find_neighbours() const;
+    std::vector<double> sum_volumes() const;
+    plumbline::Samples<Dim> samples() const { return {x, V, neighbours}; }
 };
 
-/// Doubles per place: 2 for a gradient, 1 otherwise.
-int components_of(verification::Quantity quantity);
+/// Doubles per place: those of a vector for a gradient, 1 otherwise.
+template <int Dim> constexpr std::size_t components_of(verification::Quantity quantity) {
+    return quantity == verification::Quantity::gradient ? Dim : 1;
+}
 
 /// One method on one situation, which must outlive it. What is wanted is written place by place, NaN
 /// where there is no answer.
@@ -53,27 +60,30 @@ struct PreparedMethod {
     std::function<void(std::span<double>)> apply = {};
 };
 
-std::vector<PreparedMethod> sph_methods(const Situation& s, verification::Quantity quantity);
-std::vector<PreparedMethod> mls_methods(const Situation& s, verification::Quantity quantity);
+template <int Dim>
+std::vector<PreparedMethod> sph_methods(const Situation<Dim>& s, verification::Quantity quantity);
+/// Those of sph_methods for the gradient, and Müller's.
+template <int Dim> std::vector<PreparedMethod> sph_gradients(const Situation<Dim>& s);
+template <int Dim>
+std::vector<PreparedMethod> mls_methods(const Situation<Dim>& s, verification::Quantity quantity);
 
-/// A plain double or vector, or an optional one; returns 1 if it is empty.
-template <class T> std::size_t write(const T& answer, double* to) {
-    if constexpr (requires { answer.has_value(); }) {
-        if (answer) return write(*answer, to);
-        using Value = typename T::value_type;
-        if constexpr (std::is_same_v<Value, double>)
-            *to = std::numeric_limits<double>::quiet_NaN();
-        else
-            to[0] = to[1] = std::numeric_limits<double>::quiet_NaN();
-        return 1;
-    } else if constexpr (std::is_same_v<T, double>) {
-        *to = answer;
-        return 0;
-    } else {
-        to[0] = answer[0];
-        to[1] = answer[1];
-        return 0;
-    }
+// One answer, to where it belongs; returns how many are missing: 1 if it is empty, NaN then.
+inline std::size_t write(double answer, double* to) {
+    *to = answer;
+    return 0;
+}
+template <int Dim> std::size_t write(const plumbline::Vec<Dim>& answer, double* to) {
+    for (int d = 0; d < Dim; ++d) to[d] = answer[d];
+    return 0;
+}
+template <class T> std::size_t write(const std::optional<T>& answer, double* to) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (answer) return write(*answer, to);
+    if constexpr (std::is_same_v<T, double>)
+        write(none, to);
+    else
+        write(T(T::Constant(none)), to);
+    return 1;
 }
 
 }  // namespace benchmarks

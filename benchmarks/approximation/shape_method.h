@@ -12,11 +12,11 @@ inline plumbline::Derivatives derivatives_for(verification::Quantity quantity) {
 }
 
 /// Storage for the shape functions of one place at a time.
-struct RowBuffer {
+template <int Dim> struct RowBuffer {
     std::vector<double> phi, laplace_phi;
-    std::vector<plumbline::Vec<2>> grad_phi;
+    std::vector<plumbline::Vec<Dim>> grad_phi;
 
-    plumbline::ShapeRow<2> row(std::size_t n, plumbline::Derivatives wanted) {
+    plumbline::ShapeRow<Dim> row(std::size_t n, plumbline::Derivatives wanted) {
         const bool first = wanted >= plumbline::Derivatives::gradient;
         const bool second = wanted >= plumbline::Derivatives::laplacian;
         phi.resize(n);
@@ -27,11 +27,12 @@ struct RowBuffer {
 };
 
 /// Σⱼ Φⱼ fⱼ, Σⱼ ∇Φⱼ fⱼ or Σⱼ ΔΦⱼ fⱼ.
-inline void write_sum(const plumbline::ShapeRow<2>& row, std::span<const plumbline::Index> js,
-                      std::span<const double> f, verification::Quantity quantity, double* to) {
+template <int Dim>
+void write_sum(const plumbline::ShapeRow<Dim>& row, std::span<const plumbline::Index> js,
+               std::span<const double> f, verification::Quantity quantity, double* to) {
     using verification::Quantity;
     if (quantity == Quantity::gradient) {
-        plumbline::Vec<2> sum = plumbline::Vec<2>::Zero();
+        plumbline::Vec<Dim> sum = plumbline::Vec<Dim>::Zero();
         for (std::size_t k = 0; k < js.size(); ++k) sum += row.grad_phi[k] * f[js[k]];
         write(sum, to);
         return;
@@ -44,14 +45,15 @@ inline void write_sum(const plumbline::ShapeRow<2>& row, std::span<const plumbli
 
 /// Lagrangian use of `shape`: computed once for all places, then applied.
 template <class Shape>
-void add_shape_functions(PreparedMethod& method, const Shape& shape, const Situation& s,
+void add_shape_functions(PreparedMethod& method, const Shape& shape, const Situation<Shape::dim>& s,
                          verification::Quantity quantity) {
     using plumbline::Index, verification::Quantity;
-    const auto stored = std::make_shared<plumbline::ShapeFunctions<2>>();
-    const auto width = static_cast<std::size_t>(components_of(quantity));
+    constexpr int Dim = Shape::dim;
+    const auto stored = std::make_shared<plumbline::ShapeFunctions<Dim>>();
+    const std::size_t width = components_of<Dim>(quantity);
     method.precompute = [stored, shape, &s, quantity] {
-        *stored = plumbline::precompute(shape, std::span<const plumbline::Vec<2>>(s.x),
-                                        std::span<const plumbline::Vec<2>>(s.places), s.rows,
+        *stored = plumbline::precompute(shape, std::span<const plumbline::Vec<Dim>>(s.x),
+                                        std::span<const plumbline::Vec<Dim>>(s.places), s.rows,
                                         derivatives_for(quantity));
     };
     method.apply = [stored, &s, quantity, width](std::span<double> out) {
@@ -70,6 +72,32 @@ void add_shape_functions(PreparedMethod& method, const Shape& shape, const Situa
             }
         }
     };
+}
+
+/// A method given by what it says at place k.
+template <int Dim, class Op>
+PreparedMethod at_places(std::string name, bool reads_volumes, const Situation<Dim>& s,
+                         verification::Quantity quantity, Op op) {
+    const std::size_t width = components_of<Dim>(quantity);
+    return {std::move(name), reads_volumes, [&s, op, width](std::span<double> out) {
+                std::size_t failures = 0;
+                for (plumbline::Index k = 0; k < s.places.size(); ++k)
+                    failures += write(op(k), &out[k * width]);
+                return failures;
+            }};
+}
+
+/// The same, with the shape functions that give it, to be computed once.
+template <int Dim, class Op, class Shape>
+PreparedMethod at_places(std::string name, const Situation<Dim>& s, verification::Quantity quantity,
+                         Op op, const Shape& shape) {
+    PreparedMethod method = at_places(std::move(name), true, s, quantity, op);
+    add_shape_functions(method, shape, s, quantity);
+    return method;
+}
+
+template <int Dim> plumbline::Place<Dim> place(const Situation<Dim>& s, plumbline::Index k) {
+    return {s.places[k], s.rows.of(k)};
 }
 
 }  // namespace benchmarks

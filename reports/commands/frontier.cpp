@@ -1,5 +1,6 @@
 #include "reports/commands/checks.h"
 #include "reports/commands/command.h"
+#include "reports/files.h"
 #include "reports/frontier_report.h"
 #include "reports/interrupt.h"
 
@@ -16,6 +17,7 @@ using benchmarks::Frontier;
 
 struct Options {
     std::vector<std::string> tasks{"approximation", "gradient"};
+    std::vector<int> dims{2, 3};
     std::string json, directory;
     bool quick = false;
 };
@@ -27,7 +29,7 @@ void print_row(const Candidate& c) {
 }
 
 void print(const Frontier& frontier) {
-    fmt::print("{}: {}\n\n", task_of(frontier.quantity), frontier.finding);
+    fmt::print("{} in {}D: {}\n\n", task_of(frontier.quantity), frontier.dim, frontier.finding);
     fmt::print("{:<12} {:<14} {:>8} {:>8} {:>10} {:>10} {:>12} {:>12} {:<10}\n", "Pareto front",
                "kernel", "h/dx", "1/dx", "neighbours", "error", "s per place", "s per field",
                "trend");
@@ -48,23 +50,30 @@ void print(const Frontier& frontier) {
     fmt::print("\n");
 }
 
+void write_files(const Frontier& frontier, const std::filesystem::path& folder) {
+    for (const NamedChart& named : charts_of(frontier)) {
+        const DrawnChart files = draw(named.chart, folder, named.name);
+        fmt::print(stderr, "wrote {}\n", files.svg.string());
+    }
+    const std::filesystem::path table = folder / ("frontier_" + name_of(frontier) + ".csv");
+    write_file(table, csv_of(frontier));
+    fmt::print(stderr, "wrote {}\n", table.string());
+}
+
 ExitCode frontier(const Options& options) {
     using verification::Effort;
     std::vector<verification::Quantity> quantities;
     for (const std::string& task : options.tasks) quantities.push_back(quantity_of(task));
     Json results = Json::array();
-    for (const verification::Quantity quantity : quantities) {
-        const Frontier measured =
-            benchmarks::measure_frontier(quantity, options.quick ? Effort::quick : Effort::full,
-                                         [](double) { stop_if_interrupted(); });
-        results.push_back(json_of(measured));
-        if (options.json != "-") print(measured);
-        if (options.directory.empty()) continue;
-        for (const NamedChart& named : charts_of(measured)) {
-            const DrawnChart files = draw(named.chart, options.directory, named.name);
-            fmt::print(stderr, "wrote {}\n", files.svg.string());
+    const Effort effort = options.quick ? Effort::quick : Effort::full;
+    for (const verification::Quantity quantity : quantities)
+        for (const int dim : options.dims) {
+            const Frontier measured = benchmarks::measure_frontier(
+                quantity, dim, effort, [](double) { stop_if_interrupted(); });
+            results.push_back(json_of(measured));
+            if (options.json != "-") print(measured);
+            if (!options.directory.empty()) write_files(measured, options.directory);
         }
-    }
     if (!options.json.empty()) write_json(document("frontiers", std::move(results)), options.json);
     return ExitCode::ok;
 }
@@ -75,12 +84,18 @@ const RegisterCommand command{
          const auto options = std::make_shared<Options>();
          app.add_option("task", options->tasks, "approximation, gradient, laplacian")
              ->capture_default_str();
+         app.add_option("--dim", options->dims, "2, 3, or both")
+             ->delimiter(',')
+             ->allow_extra_args(false)
+             ->check(CLI::IsMember({2, 3}))
+             ->capture_default_str();
          app.add_flag("--quick", options->quick, "fewer supports, samples and repetitions");
          app.add_option("--json", options->json, "write the results to this file, - for stdout")
              ->expected(0, 1)
              ->default_str("-")
              ->check(output_file());
-         app.add_option("-o,--output", options->directory, "draw charts into this folder")
+         app.add_option("-o,--output", options->directory,
+                        "draw charts into this folder, and write the table of all methods")
              ->check(output_folder());
          return [options] { return frontier(*options); };
      }}};

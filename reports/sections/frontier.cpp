@@ -7,14 +7,19 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace reports {
 namespace {
 using verification::Effort;
 using verification::Quantity;
 
-Json measured(Quantity quantity, Effort effort) {
+constexpr std::array quantities{Quantity::value, Quantity::gradient};
+constexpr std::array dimensions{2, 3};
+
+Json measured(Quantity quantity, int dim, Effort effort) {
     const auto frontier =
-        benchmarks::measure_frontier(quantity, effort, [](double) { stop_if_interrupted(); });
+        benchmarks::measure_frontier(quantity, dim, effort, [](double) { stop_if_interrupted(); });
     Json piece = json_of(frontier);
     piece["charts"] = Json::array();
     for (const NamedChart& named : charts_of(frontier))
@@ -25,14 +30,16 @@ Json measured(Quantity quantity, Effort effort) {
 void measure_frontiers(ReportRun& run) {
     const Effort effort = run.quick ? Effort::quick : Effort::full;
     run.report["frontiers"] = Json::array();
-    for (const Quantity quantity : {Quantity::value, Quantity::gradient}) {
-        const std::string task = task_of(quantity);
-        const Json frontier = run.piece("frontier/" + task, "frontier of the " + task,
-                                        [&] { return measured(quantity, effort); });
-        run.report["findings_cost"].push_back(
-            fmt::format("{}: {}.", task, frontier["finding"].get<std::string>()));
-        run.report["frontiers"].push_back(frontier);
-    }
+    for (const Quantity quantity : quantities)
+        for (const int dim : dimensions) {
+            const std::string task = fmt::format("{} in {}D", task_of(quantity), dim);
+            const Json frontier = run.piece(fmt::format("frontier/{}_{}d", task_of(quantity), dim),
+                                            "frontier of the " + task,
+                                            [&] { return measured(quantity, dim, effort); });
+            run.report["findings_cost"].push_back(
+                fmt::format("{}: {}.", task, frontier["finding"].get<std::string>()));
+            run.report["frontiers"].push_back(frontier);
+        }
 }
 
 Json row_of(const Json& ratio) {
@@ -52,6 +59,7 @@ Json view(const Json& report) {
     Json tasks = Json::array();
     for (const Json& frontier : report["frontiers"]) {
         Json task = {{"task", frontier["task"]},
+                     {"dim", frontier["dim"]},
                      {"finding", frontier["finding"]},
                      {"charts", frontier["charts"]},
                      {"ratios", Json::array()}};

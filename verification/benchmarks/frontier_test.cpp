@@ -14,6 +14,7 @@ Candidate candidate(std::string method, double seconds, double error, std::size_
     c.kernel = "poly6";
     c.support_in_spacings = 2.5;
     c.samples_per_metre = 1;
+    c.dim = 2;
     c.error = error;
     c.failures = failures;
     c.places = 10;

@@ -132,6 +132,7 @@ const std::vector<BadInput> table{
     {neighbours_of("header_only.csv"), "header_only.csv:1:1: expected at least one point"},
     {neighbours_of("nan.csv"), "nan.csv:2:3: expected a finite number, found \"nan\""},
 
+    {{"frontier", "--dim", "4"}, "--dim: 4 not in {2,3}"},
     {{"frontier", "everything"}, "everything"},
     {{"frontier", "gradient", "-o", "good.csv"}, "found \"good.csv\": that is a file"},
 
