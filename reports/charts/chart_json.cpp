@@ -32,9 +32,12 @@ std::vector<Chart::Range> ranges_of(const Json& json) {
 }
 
 Json json_of(const Chart::Axis& axis) {
-    return {{"label", axis.label}, {"unit", axis.unit}, {"log", axis.log}};
+    return {{"label", axis.label}, {"unit", axis.unit}, {"log", axis.log}, {"names", axis.names}};
 }
-Chart::Axis axis_from(const Json& json) { return {json["label"], json["unit"], json["log"]}; }
+Chart::Axis axis_from(const Json& json) {
+    return {json["label"], json["unit"], json["log"],
+            json.value("names", std::vector<std::string>{})};
+}
 
 Json json_of(const Chart::Series& s) {
     Json json = {{"name", s.name},
@@ -43,7 +46,11 @@ Json json_of(const Chart::Series& s) {
                  {"x_range", pairs(s.x_range)},
                  {"y_range", pairs(s.y_range)},
                  {"failures", numbers(s.failures)},
-                 {"joined", s.joined}};
+                 {"joined", s.joined},
+                 {"labels", s.labels},
+                 {"outlines", Json::array()}};
+    for (const Chart::Outline& o : s.outlines)
+        json["outlines"].push_back({{"x", numbers(o.x)}, {"y", numbers(o.y)}});
     if (s.style) json["style"] = *s.style;
     return json;
 }
@@ -55,7 +62,11 @@ Chart::Series series_from(const Json& json) {
                     .y_range = ranges_of(json["y_range"]),
                     .failures = values_of(json["failures"]),
                     .joined = json["joined"],
-                    .style = {}};
+                    .style = {},
+                    .labels = json.value("labels", std::vector<std::string>{}),
+                    .outlines = {}};
+    for (const Json& o : json.value("outlines", Json::array()))
+        s.outlines.push_back({values_of(o["x"]), values_of(o["y"])});
     if (json.contains("style")) s.style = json["style"].get<int>();
     return s;
 }

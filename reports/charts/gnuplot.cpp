@@ -48,7 +48,14 @@ Frame frame_of(const Chart& chart) {
         for (const double v : s.y) frame.y.include(v);
         for (const auto& r : s.x_range) frame.x.include(r.low), frame.x.include(r.high);
         for (const auto& r : s.y_range) frame.y.include(r.low), frame.y.include(r.high);
+        for (const auto& outline : s.outlines) {
+            for (const double v : outline.x) frame.x.include(v);
+            for (const double v : outline.y) frame.y.include(v);
+        }
     }
+    for (const auto& [axis, span] : {std::pair{&chart.x, &frame.x}, std::pair{&chart.y, &frame.y}})
+        if (!axis->names.empty())
+            span->low = 0.7, span->high = static_cast<double>(axis->names.size()) + 0.3;
     if (frame.x.low > frame.x.high)
         throw plumbline::InvalidInput("chart \"" + chart.finding + "\": no point can be shown");
     if (frame.y.low > frame.y.high) frame.y.low = 0.0, frame.y.high = 1.0;  // only failures
@@ -86,6 +93,12 @@ std::string axis_of(char name, const Chart::Axis& axis, const Span& span) {
     const std::string unit = axis.unit.empty() ? "" : " [" + axis.unit + "]";
     std::string out = fmt::format("set {}label {} noenhanced\nset {}range [{:.9g}:{:.9g}]\n", name,
                                   string_of(axis.label + unit), name, span.at(0), span.at(1));
+    if (!axis.names.empty()) {
+        std::string ticks;
+        for (std::size_t k = 0; k < axis.names.size(); ++k)
+            ticks += fmt::format("{}{} {}", k == 0 ? "" : ", ", string_of(axis.names[k]), k + 1);
+        out += fmt::format("set {}tics ({}) noenhanced\n", name, ticks);
+    }
     if (axis.log) {
         // Decade ticks alone would leave a short axis without a number.
         const bool short_axis = span.high - span.low < 1.3;
@@ -120,9 +133,10 @@ std::string triangle_of(const Frame& frame, double order, int number) {
         number + 1, p(x0), p(x1), p(y0), p(y1), order, p(0.5 * (y0 + y1)));
 }
 
-/// The rows `x y x_low x_high y_low y_high` of what lies inside, and `x y` of what is on the rims.
+/// The rows `x y x_low x_high y_low y_high label` of what lies inside, `x y` of what is on the rims and
+/// of the outlines.
 struct Blocks {
-    std::string inside, rim;
+    std::string inside, rim, outlines;
 };
 
 Blocks blocks_of(const Chart::Series& s, const Frame& frame) {
@@ -140,9 +154,16 @@ Blocks blocks_of(const Chart::Series& s, const Frame& frame) {
         const auto end = [](double v, const Span& span) { return span.shows(v) ? v : span.at(0); };
         const Chart::Range xr = s.x_range.empty() ? Chart::Range{s.x[k], s.x[k]} : s.x_range[k];
         const Chart::Range yr = s.y_range.empty() ? Chart::Range{s.y[k], s.y[k]} : s.y_range[k];
-        blocks.inside += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n", s.x[k], s.y[k],
-                                     end(xr.low, frame.x), end(xr.high, frame.x),
-                                     end(yr.low, frame.y), end(yr.high, frame.y));
+        blocks.inside +=
+            fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {}\n", s.x[k], s.y[k],
+                        end(xr.low, frame.x), end(xr.high, frame.x), end(yr.low, frame.y),
+                        end(yr.high, frame.y), string_of(s.labels.empty() ? "" : s.labels[k]));
+    }
+    for (const Chart::Outline& o : s.outlines) {
+        for (std::size_t k = 0; k <= o.x.size() && !o.x.empty(); ++k)
+            blocks.outlines +=
+                fmt::format("{:.9g} {:.9g}\n", o.x[k % o.x.size()], o.y[k % o.x.size()]);
+        blocks.outlines += '\n';
     }
     for (const double x : s.failures) on_rim(x, 1.0);
     return blocks;
@@ -152,7 +173,9 @@ Blocks blocks_of(const Chart::Series& s, const Frame& frame) {
 std::vector<std::string> plots_of(const Chart::Series& s, int index, const Blocks& blocks) {
     const SeriesStyle style = style_of(s.style.value_or(index));
     const std::string line = fmt::format("lc rgb '{}' lw 1.8 dt {}", style.colour, style.dash);
-    const std::string point = fmt::format("lc rgb '{}' pt {} ps 0.8", style.colour, style.marker);
+    const double size = s.labels.empty() ? 0.8 : 1.8;
+    const std::string point =
+        fmt::format("lc rgb '{}' pt {} ps {}", style.colour, style.marker, size);
     const std::string bar = fmt::format("lc rgb '{}' lw 1 notitle", style.colour);
     const std::string title = fmt::format("title {}", string_of(s.name));
     const std::string data = fmt::format("$inside{}", index);
@@ -166,9 +189,14 @@ std::vector<std::string> plots_of(const Chart::Series& s, int index, const Block
                             ? fmt::format("{} using 1:2 with linespoints {} pt {} ps 0.8 {}", data,
                                           line, style.marker, title)
                             : fmt::format("{} using 1:2 with points {} {}", data, point, title));
+        if (!s.labels.empty())
+            plots.push_back(data + " using 1:2:7 with labels left offset 1.2,0 noenhanced notitle");
     } else {
         plots.push_back(fmt::format("NaN with points {} {}", point, title));
     }
+    if (!blocks.outlines.empty())
+        plots.push_back(fmt::format("$outlines{} using 1:2 with lines lc rgb '{}' lw 1.2 notitle",
+                                    index, style.colour));
     if (!blocks.rim.empty())
         plots.push_back(
             fmt::format("$rim{} using 1:2 with points lc rgb '{}' pt 2 ps 1.2 lw 2 "
@@ -210,8 +238,9 @@ std::string gnuplot_script(const Chart& chart, const DrawnChart& files) {
     int index = 0;
     for (const Chart::Series& s : chart.series) {
         const Blocks blocks = blocks_of(s, frame);
-        script += fmt::format("$inside{0} << END\n{1}END\n$rim{0} << END\n{2}END\n", index,
-                              blocks.inside, blocks.rim);
+        script += fmt::format(
+            "$inside{0} << END\n{1}END\n$rim{0} << END\n{2}END\n$outlines{0} << END\n{3}END\n",
+            index, blocks.inside, blocks.rim, blocks.outlines);
         for (const std::string& p : plots_of(s, index, blocks))
             plots += (plots.empty() ? "plot " : ", \\\n     ") + p;
         ++index;

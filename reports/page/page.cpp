@@ -47,8 +47,9 @@ std::string rendered(const std::string& text, const Json& view) {
 }
 
 Json table_of(const Chart& chart) {
-    const auto with_range = [](double v, const std::vector<Chart::Range>& ranges, std::size_t k) {
-        const std::string text = std::isfinite(v) ? fmt::format("{:.4g}", v) : "failed";
+    const auto with_range = [](const Chart::Axis& axis, double v,
+                               const std::vector<Chart::Range>& ranges, std::size_t k) {
+        const std::string text = std::isfinite(v) ? text_of(axis, v, 4) : "failed";
         if (ranges.empty() || (ranges[k].low == v && ranges[k].high == v)) return text;
         return fmt::format("{} [{:.4g}, {:.4g}]", text, ranges[k].low, ranges[k].high);
     };
@@ -56,11 +57,12 @@ Json table_of(const Chart& chart) {
     for (const Chart::Series& s : chart.series) {
         for (std::size_t k = 0; k < s.x.size(); ++k)
             rows.push_back({{"name", s.name},
-                            {"x_value", with_range(s.x[k], s.x_range, k)},
-                            {"y_value", with_range(s.y[k], s.y_range, k)}});
+                            {"x_value", with_range(chart.x, s.x[k], s.x_range, k)},
+                            {"y_value", with_range(chart.y, s.y[k], s.y_range, k) +
+                                            (s.labels.empty() ? "" : ": " + s.labels[k])}});
         for (const double x : s.failures)
             rows.push_back(
-                {{"name", s.name}, {"x_value", fmt::format("{:.4g}", x)}, {"y_value", "failed"}});
+                {{"name", s.name}, {"x_value", text_of(chart.x, x, 4)}, {"y_value", "failed"}});
     }
     return rows;
 }
