@@ -1,97 +1,58 @@
 #include "reports/neighbours_report.h"
 
+#include "benchmarks/neighbours/verdicts.h"
+
 #include <fmt/format.h>
 
 namespace reports {
 
-using benchmarks::CaseResult;
-using benchmarks::SearchResult;
+using namespace benchmarks;
 
 namespace {
-Json json_of_timing(const benchmarks::Timing& timing) {
-    return {{"median_s", number(timing.median_s)}, {"mad_s", number(timing.mad_s)}};
+Json json_of_runs(const std::vector<double>& seconds) {
+    const Timing timing = summarise(seconds);
+    return {{"median_s", number(timing.median_s)},
+            {"mad_s", number(timing.mad_s)},
+            {"runs_s", seconds}};
 }
 
-double nanoseconds_per_point(double seconds, const CaseResult& c) {
-    return 1e9 * seconds / static_cast<double>(std::max<std::size_t>(1, c.count));
-}
-double million_points_per_second(double seconds, const CaseResult& c) {
-    return 1e-6 * static_cast<double>(c.count) / seconds;
+Json json_of_ratio(const Ratio& ratio) {
+    return {
+        {"value", number(ratio.value)}, {"low", number(ratio.low)}, {"high", number(ratio.high)}};
 }
 
-std::string alt_of(const CaseResult& largest) {
-    std::string text;
-    for (const SearchResult& s : largest.searches)
-        text += s.agrees() ? fmt::format("{} {:.0f} ns per point; ", s.name,
-                                         nanoseconds_per_point(s.total.median_s, largest))
-                           : fmt::format("{} disagrees; ", s.name);
-    return text;
-}
-
-std::string caption_of(const CaseResult& largest) {
-    return fmt::format(
-        "{} points in {}D, up to {} of them, {:.0f} neighbours each; {} thread{}. Lists equal "
-        "those of brute "
-        "force for {} points and one another for all; runs interleaved, medians, bars: median "
-        "absolute deviation; A/A noise {:.1f} %.",
-        largest.cloud, largest.dim, largest.count, largest.mean_neighbours, largest.threads,
-        largest.threads == 1 ? "" : "s", largest.brute_force_rows, 100.0 * largest.noise);
-}
-
-Chart rate_chart(const NeighbourComparison& comparison) {
-    const CaseResult& largest = comparison.cases.back();
-    Chart chart{.finding = benchmarks::recommendation(largest),
-                .x = {"points", "1", true},
-                .y = {"built and queried", "million points/s", true},
-                .series = {},
-                .caption = caption_of(largest),
-                .alt = alt_of(largest),
-                .command = comparison.command};
-    for (std::size_t k = 0; k < largest.searches.size(); ++k) {
-        Chart::Series series{.name = largest.searches[k].name, .x = {}, .y = {}};
-        for (const CaseResult& c : comparison.cases) {
-            const SearchResult& s = c.searches[k];
-            if (!s.agrees()) {
-                series.failures.push_back(static_cast<double>(c.count));
-                continue;
-            }
-            const double low = s.total.median_s - s.total.mad_s,
-                         high = s.total.median_s + s.total.mad_s;
-            series.x.push_back(static_cast<double>(c.count));
-            series.y.push_back(million_points_per_second(s.total.median_s, c));
-            series.y_range.push_back(
-                {million_points_per_second(high, c), million_points_per_second(low, c)});
-        }
-        chart.series.push_back(std::move(series));
+/// The cost of each search over that of the fastest, and the places it may have.
+void add_standing(const CaseResult& c, Json& searches) {
+    const Standing standing = standing_of(c);
+    if (standing.best.empty()) return;
+    const auto places = places_of(c);
+    for (std::size_t k = 0; k < c.searches.size(); ++k) {
+        const SearchResult& s = c.searches[k];
+        if (places[k] == Places{}) continue;
+        const bool is_fastest = &s == standing.best.front();
+        searches[k]["first_place"] = places[k].first;
+        searches[k]["last_place"] = places[k].last;
+        searches[k]["over_fastest"] = json_of_ratio(
+            is_fastest ? Ratio{1, 1, 1} : ratio_of(s, *standing.best.front(), total_cost, c.noise));
     }
-    return chart;
 }
 
-Chart phases_chart(const NeighbourComparison& comparison) {
-    const CaseResult& c = comparison.cases.back();
-    Chart chart{.finding = fmt::format("Build against query at {} points: {}", c.count,
-                                       benchmarks::recommendation(c)),
-                .x = {"build, per point", "ns", true},
-                .y = {"query, per point", "ns", true},
-                .series = {},
-                .caption = caption_of(c),
-                .alt = alt_of(c),
-                .command = comparison.command};
-    for (const SearchResult& s : c.searches) {
-        if (!s.agrees()) continue;
-        const auto ns = [&](double seconds) { return nanoseconds_per_point(seconds, c); };
-        const auto range = [&](const benchmarks::Timing& t) {
-            return Chart::Range{ns(t.median_s - t.mad_s), ns(t.median_s + t.mad_s)};
-        };
-        chart.series.push_back({.name = s.name,
-                                .x = {ns(s.build.median_s)},
-                                .y = {ns(s.query.median_s)},
-                                .x_range = {range(s.build)},
-                                .y_range = {range(s.query)},
-                                .joined = false});
-    }
-    return chart;
+Json json_of_exponents(const std::vector<CaseResult>& cases) {
+    Json all = Json::array();
+    const auto add = [&](const char* phase, const Cost& cost) {
+        for (const Exponent& e : exponents(cases, cost))
+            all.push_back({{"search", e.search},
+                           {"phase", phase},
+                           {"value", number(e.value)},
+                           {"low", number(e.low)},
+                           {"high", number(e.high)},
+                           {"n_log_n", number(e.n_log_n)}});
+    };
+    add("build", [](const Runs& runs) { return runs.build; });
+    add("query", [](const Runs& runs) { return runs.query; });
+    return all;
 }
+
 template <class Results> Json all_of(const Results& results) {
     Json all = Json::array();
     for (const auto& result : results) all.push_back(reports::json_of(result));
@@ -99,67 +60,97 @@ template <class Results> Json all_of(const Results& results) {
 }
 }  // namespace
 
+std::string in_words(const CaseResult& c) {
+    std::string text = fmt::format("{} {}D, {} points", c.cloud, c.dim, c.count);
+    if (c.contrast) text += fmt::format(", density 1:{:g}", *c.contrast);
+    text += c.own_radii ? ", own radii" : fmt::format(", r = {:.4g}", c.radius);
+    text += ", " + c.order;
+    if (c.moved > 0.0) text += fmt::format(", {:g} % moved", 100.0 * c.moved);
+    return text + fmt::format(", {} thread{}", c.threads, c.threads == 1 ? "" : "s");
+}
+
 Json json_of(const SearchResult& s) {
-    return {{"search", s.name},
-            {"wrong_pairs", s.wrong_pairs},
-            {"build", json_of_timing(s.build)},
-            {"query", json_of_timing(s.query)},
-            {"total", json_of_timing(s.total)},
-            {"cold_build_s", number(s.cold_build_s)},
-            {"cold_query_s", number(s.cold_query_s)},
-            {"memory_bytes", s.memory},
-            {"over_fastest", number(s.over_fastest)},
-            {"over_fastest_spread", number(s.over_fastest_spread)}};
+    Json json = {{"search", s.name},
+                 {"wrong_pairs", s.wrong_pairs},
+                 {"cold_build_s", number(s.cold_build_s)},
+                 {"cold_query_s", number(s.cold_query_s)},
+                 {"held_bytes", s.held_bytes},
+                 {"peak_bytes", s.peak_bytes ? Json(*s.peak_bytes) : Json()}};
+    if (s.runs.build.empty()) return json;
+    json["build"] = json_of_runs(s.runs.build);
+    json["query"] = json_of_runs(s.runs.query);
+    json["total"] = json_of_runs(s.runs.total());
+    if (s.runs.update.empty()) return json;
+    json["update"] = json_of_runs(s.runs.update);
+    json["requery"] = json_of_runs(s.runs.requery);
+    return json;
 }
 
 Json json_of(const CaseResult& c) {
-    return {{"cloud", c.cloud},
+    Json searches = all_of(c.searches);
+    add_standing(c, searches);
+    return {{"id", in_words(c)},
+            {"cloud", c.cloud},
             {"dim", c.dim},
-            {"threads", c.threads},
             {"count", c.count},
+            {"contrast", c.contrast ? Json(*c.contrast) : Json()},
+            {"order", c.order},
             {"radius", number(c.radius)},
+            {"spacings", number(c.spacings)},
+            {"own_radii", c.own_radii},
+            {"moved", number(c.moved)},
+            {"threads", c.threads},
             {"mean_neighbours", number(c.mean_neighbours)},
-            {"lists_bytes", c.lists_memory},
+            {"unevenness", number(c.unevenness)},
+            {"points_bytes", c.points_bytes},
+            {"lists_bytes", c.lists_bytes},
             {"brute_force_rows", c.brute_force_rows},
             {"noise", number(c.noise)},
-            {"recommendation", benchmarks::recommendation(c)},
-            {"searches", all_of(c.searches)}};
+            {"recommendation", recommendation(c)},
+            {"searches", std::move(searches)}};
+}
+
+Json json_of(const SearchStudyResult& study) {
+    Json verdicts = Json::array();
+    for (const Verdict& v : verdicts_on_section_5_3(study))
+        verdicts.push_back({{"source", "adams2009 Sec. 5.3"},
+                            {"statement", v.statement},
+                            {"verdict", v.word},
+                            {"evidence", v.evidence}});
+    return {{"id", study.name},
+            {"question", study.question},
+            {"cases", all_of(study.cases)},
+            {"exponents", study.name == "size" ? json_of_exponents(study.cases) : Json::array()},
+            {"verdicts", std::move(verdicts)}};
 }
 
 Json json_of(const NeighbourComparison& comparison) {
-    Json exponents = Json::array();
-    for (const auto& e : benchmarks::exponents(comparison.cases))
-        exponents.push_back(
-            {{"search", e.search}, {"build", number(e.build)}, {"query", number(e.query)}});
-    return {{"command", comparison.command},
-            {"cases", all_of(comparison.cases)},
-            {"exponents", std::move(exponents)}};
+    return {{"command", comparison.command}, {"studies", all_of(comparison.studies)}};
 }
 
 std::string csv_of(const NeighbourComparison& comparison) {
     std::string text =
-        "cloud,dim,threads,points,radius,neighbours,noise,search,wrong_pairs,build_s,build_mad_s,"
-        "query_s,query_mad_s,total_s,cold_build_s,cold_query_s,memory_bytes,lists_bytes,"
-        "over_fastest,over_fastest_spread\n";
-    for (const CaseResult& c : comparison.cases)
-        for (const SearchResult& s : c.searches)
-            text += fmt::format(
-                "{},{},{},{},{:.17g},{:.6g},{:.4g},{},{},{:.6g},{:.3g},{:.6g},{:.3g},{:.6g},"
-                "{:.6g},{:.6g},{},{},{:.6g},{:.3g}\n",
-                c.cloud, c.dim, c.threads, c.count, c.radius, c.mean_neighbours, c.noise, s.name,
-                s.wrong_pairs, s.build.median_s, s.build.mad_s, s.query.median_s, s.query.mad_s,
-                s.total.median_s, s.cold_build_s, s.cold_query_s, s.memory, c.lists_memory,
-                s.over_fastest, s.over_fastest_spread);
+        "study,cloud,dim,points,contrast,order,radius,own_radii,moved,threads,neighbours,noise,"
+        "search,wrong_pairs,build_s,build_mad_s,query_s,query_mad_s,total_s,update_s,requery_s,"
+        "cold_build_s,cold_query_s,held_bytes,peak_bytes,points_bytes,lists_bytes\n";
+    const auto seconds = [](double s) { return std::isfinite(s) ? fmt::format("{:.6g}", s) : ""; };
+    for (const SearchStudyResult& study : comparison.studies)
+        for (const CaseResult& c : study.cases)
+            for (const SearchResult& s : c.searches)
+                text += fmt::format(
+                    "{},{},{},{},{},{},{:.17g},{},{:g},{},{:.6g},{},{},{},{},{},{},{},{},{},{},{},{"
+                    "},{},{},{},{}\n",
+                    study.name, c.cloud, c.dim, c.count,
+                    c.contrast ? fmt::format("{:g}", *c.contrast) : "", c.order, c.radius,
+                    c.own_radii ? 1 : 0, c.moved, c.threads, c.mean_neighbours, seconds(c.noise),
+                    s.name, s.wrong_pairs, seconds(s.build().median_s), seconds(s.build().mad_s),
+                    seconds(s.query().median_s), seconds(s.query().mad_s),
+                    seconds(s.total().median_s), seconds(s.update().median_s),
+                    seconds(summarise(s.runs.requery).median_s), seconds(s.cold_build_s),
+                    seconds(s.cold_query_s), s.held_bytes,
+                    s.peak_bytes ? fmt::format("{}", *s.peak_bytes) : "", c.points_bytes,
+                    c.lists_bytes);
     return text;
-}
-
-std::vector<NamedChart> charts_of(const NeighbourComparison& comparison) {
-    const CaseResult& c = comparison.cases.back();
-    const std::string name = fmt::format("neighbours_{}_{}d", c.cloud, c.dim);
-    std::vector<NamedChart> charts;
-    if (comparison.cases.size() > 1) charts.push_back({name + "_rate", rate_chart(comparison)});
-    charts.push_back({name + "_phases", phases_chart(comparison)});
-    return charts;
 }
 
 }  // namespace reports

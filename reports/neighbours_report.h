@@ -1,24 +1,26 @@
 #pragma once
 
-#include "benchmarks/neighbours/comparison.h"
-#include "reports/frontier_report.h"
+#include "benchmarks/neighbours/studies.h"
+#include "reports/json.h"
 
 namespace reports {
 
-/// The cases of one cloud, at one or more numbers of points.
+/// What one run of the comparison of the neighbour searches measured.
 struct NeighbourComparison {
-    std::vector<benchmarks::CaseResult> cases;
+    std::vector<benchmarks::SearchStudyResult> studies;
     std::string command;  // makes it again
 };
 
 Json json_of(const benchmarks::SearchResult& result);
 Json json_of(const benchmarks::CaseResult& result);
+/// With exponents, verdicts and the maps of who is the fastest.
+Json json_of(const benchmarks::SearchStudyResult& study);
 Json json_of(const NeighbourComparison& comparison);
 
-/// The table twin of everything measured: one row per case and search.
+/// The table twin of everything measured: one row per study, case and search.
 std::string csv_of(const NeighbourComparison& comparison);
 
-/// Million points per second over the number of points; build against query time of the largest case.
-std::vector<NamedChart> charts_of(const NeighbourComparison& comparison);
+/// "graded 3D, 10000 points 1:100, r = 2 spacings, shuffled, 2 threads".
+std::string in_words(const benchmarks::CaseResult& c);
 
 }  // namespace reports

@@ -1,12 +1,14 @@
 #include "benchmarks/neighbours/comparison.h"
 
+#include "benchmarks/framework/memory.h"
+#include "benchmarks/neighbours/agreement.h"
+#include "benchmarks/neighbours/local_radii.h"
 #include "solver/foundation/parallel.h"
-#include "solver/neighbours/brute_force.h"
+#include "solver/foundation/random.h"
 #include "verification/framework/statistics.h"
 #include "verification/neighbours/searches.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 
@@ -15,210 +17,187 @@ namespace benchmarks {
 using namespace plumbline;
 
 namespace {
-/// Pairs of points that brute force may look at.
-constexpr double affordable_pairs = 1e9;
-
-/// Rows of `lists` that are not those of brute force, as pairs, over a sample that is all if affordable.
-template <int Dim>
-std::size_t wrong_in_sample(const PointCloud<Dim>& cloud, const NeighbourLists& lists,
-                            std::size_t rows) {
-    Points<Dim> queries;
-    NeighbourLists found{{0}, {}};
-    for (std::size_t k = 0; k < rows; ++k) {
-        const auto i = static_cast<Index>(k * cloud.points.size() / rows);
-        queries.push_back(cloud.points[i]);
-        found.indices.insert(found.indices.end(), lists.of(i).begin(), lists.of(i).end());
-        found.offsets.push_back(found.indices.size());
+/// The number of threads, until the end of the scope.
+class Threads {
+public:
+    explicit Threads(int n) : before_{thread_count()} {
+        if (n > 0) set_thread_count(n);
     }
-    BruteForce<Dim> oracle;
-    oracle.build(cloud.points, cloud.radius);
-    return verification::wrong_pairs(found, oracle.query(queries));
-}
+    ~Threads() { set_thread_count(before_); }
+    Threads(const Threads&) = delete;
+    Threads& operator=(const Threads&) = delete;
 
-/// Throws InvalidInput if the lists, extrapolated from a sample of rows, would not fit into memory next
-/// to those of a second search.
-template <int Dim> void check_memory(const PointCloud<Dim>& cloud) {
-    const std::size_t n = cloud.points.size(), sample = std::min<std::size_t>(n, 100);
-    double neighbours = 0.0;
-    for (std::size_t s = 0; s < sample; ++s)
-        for (const Vec<Dim>& x : cloud.points)
-            if (squared_distance(OpenSpace<Dim>{}, cloud.points[s * n / sample], x) <
-                cloud.radius * cloud.radius)
-                neighbours += 1.0;
-    const double lists = neighbours / static_cast<double>(std::max<std::size_t>(1, sample)) *
-                         static_cast<double>(n) * sizeof(Index);
-    const double memory =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-    constexpr double copies = 4.0;  // two searches, each with what it fills its lists from
-    if (copies * lists > memory)
-        throw InvalidInput(
-            fmt::format("comparison: a radius of {:.17g} makes lists of {:.3g} GB, expected at "
-                        "most a quarter of the memory, {:.3g} GB",
-                        cloud.radius, lists * 1e-9, memory / copies * 1e-9));
-}
-
-struct Runs {
-    std::vector<double> build, query, total;
+private:
+    int before_;
 };
 
-template <int Dim>
-void run_once(Contestant<Dim>& search, const PointCloud<Dim>& cloud, NeighbourLists& lists,
-              Runs& runs) {
-    runs.build.push_back(seconds_of([&] { search.build(cloud.points, cloud.radius); }));
-    runs.query.push_back(seconds_of([&] { search.query(cloud.points, lists); }));
-    runs.total.push_back(runs.build.back() + runs.query.back());
+/// The points after a step: so large a share of them moved by up to 0.05 spacings along each axis.
+template <int Dim> PointCloud<Dim> moved_cloud(PointCloud<Dim> cloud, double share) {
+    const double far = 0.05 * cloud.radius / usual_spacings;
+    Random random(7);
+    for (Vec<Dim>& x : cloud.points)
+        if (random.uniform() < share)
+            for (int axis = 0; axis < Dim; ++axis) x[axis] += random.uniform(-far, far);
+    return cloud;
 }
 
-/// The median of a[k] / b[k], and 1.96 standard errors of it from the median absolute deviation.
-Timing median_ratio(const std::vector<double>& a, const std::vector<double>& b) {
-    std::vector<double> ratios;
-    for (std::size_t k = 0; k < a.size(); ++k) ratios.push_back(a[k] / b[k]);
-    const Timing ratio = summarise(ratios);
-    constexpr double sigma_over_mad = 1.4826, median_over_mean = 1.2533;
-    return {ratio.median_s, 1.96 * median_over_mean * sigma_over_mad * ratio.mad_s /
-                                std::sqrt(static_cast<double>(ratios.size()))};
+double unevenness_of(const NeighbourLists& lists) {
+    std::vector<std::size_t> lengths;
+    for (Index i = 0; i < lists.size(); ++i) lengths.push_back(lists.of(i).size());
+    const auto percentile = [&](double share) {
+        const auto at = lengths.begin() + static_cast<std::ptrdiff_t>(
+                                              share * static_cast<double>(lengths.size() - 1));
+        std::ranges::nth_element(lengths, at);
+        return static_cast<double>(std::max<std::size_t>(1, *at));
+    };
+    return percentile(0.99) / percentile(0.01);
 }
 
-double slope(const std::vector<double>& x, const std::vector<double>& y) {
-    double mx = 0, my = 0, sxx = 0, sxy = 0;
-    const auto n = static_cast<double>(x.size());
-    for (std::size_t k = 0; k < x.size(); ++k) mx += std::log(x[k]) / n, my += std::log(y[k]) / n;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        sxx += std::pow(std::log(x[k]) - mx, 2);
-        sxy += (std::log(x[k]) - mx) * (std::log(y[k]) - my);
+/// Every search on one cloud: first whether they are right, then how fast they are.
+template <int Dim> class Contest {
+public:
+    Contest(const PointCloud<Dim>& cloud, const ComparisonOptions& options, CaseResult& result)
+        : cloud_{cloud}, options_{options}, result_{result} {}
+
+    void check_agreement() {
+        if (options_.moved) moved_ = moved_cloud(cloud_, *options_.moved);
+        parallel_for(
+            static_cast<std::size_t>(2 * thread_count()), [](std::size_t) {}, 1);
+        for (const std::string& name : options_.searches) {
+            options_.progress(name);
+            result_.searches.push_back({.name = name});
+            first_run(result_.searches.back());
+        }
     }
-    return sxy / sxx;
-}
+
+    void time() {
+        std::vector<double> again;  // the first search a second time: an A/A comparison
+        const SearchResult* twice = nullptr;
+        double spent = 0.0;
+        for (int round = 0; round < options_.most; ++round) {
+            if (round >= options_.least && spent > options_.seconds) break;
+            options_.progress(fmt::format("round {}", round + 1));
+            spent += seconds_of([&] {
+                for (std::size_t turn = 0; turn < all_.size(); ++turn) {
+                    const std::size_t k = round % 2 == 0 ? turn : all_.size() - 1 - turn;
+                    SearchResult& search = result_.searches[k];
+                    if (!search.agrees()) continue;
+                    run(*all_[k], search.runs);
+                    if (twice && twice != &search) continue;
+                    twice = &search;
+                    Runs second;
+                    run(*all_[k], second);
+                    again.push_back(second.total().front());
+                }
+            });
+        }
+        if (!twice) return;
+        const std::vector<double> first = twice->runs.total();
+        std::vector<double> factors;
+        for (std::size_t k = 0; k < again.size(); ++k)
+            factors.push_back(std::max(again[k], first[k]) / std::min(again[k], first[k]));
+        result_.noise = verification::median(factors) - 1.0;
+    }
+
+private:
+    /// Cold, counted, and compared with brute force or with the search that was.
+    void first_run(SearchResult& search) {
+        NeighbourLists lists;
+        empty_caches();
+        const PeakMemory peak;
+        const std::size_t before = allocated_bytes();
+        all_.push_back(make_contestant<Dim>(search.name));
+        Contestant<Dim>& contestant = *all_.back();
+        search.cold_build_s = seconds_of([&] { contestant.build(cloud_.points, cloud_.radius); });
+        search.held_bytes = allocated_bytes() - before;
+        search.cold_query_s =
+            seconds_of([&] { contestant.query(cloud_.points, cloud_.radii, lists); });
+        const std::size_t lists_bytes =
+            lists.indices.size() * sizeof(Index) + lists.offsets.size() * sizeof(std::size_t);
+        if (const auto most = peak.bytes())
+            search.peak_bytes = *most > lists_bytes ? *most - lists_bytes : 0;
+        if (result_.searches.size() == 1) {
+            result_.brute_force_rows = affordable_rows(result_.count, options_.brute_force_pairs);
+            result_.lists_bytes = lists_bytes;
+            result_.mean_neighbours =
+                static_cast<double>(lists.indices.size()) / static_cast<double>(result_.count);
+            result_.unevenness = unevenness_of(lists);
+            search.wrong_pairs = wrong_against_brute_force(cloud_, lists, result_.brute_force_rows);
+            lists_ = lists;
+        } else if (result_.searches.front().agrees()) {
+            search.wrong_pairs = verification::wrong_pairs(lists, lists_);
+        } else {
+            search.wrong_pairs = wrong_against_brute_force(cloud_, lists, result_.brute_force_rows);
+        }
+        if (moved_.points.empty() || !contestant.has_update()) return;
+        contestant.update(moved_.points);
+        contestant.query(moved_.points, moved_.radii, lists);
+        search.wrong_pairs += wrong_against_brute_force(moved_, lists, result_.brute_force_rows);
+    }
+
+    void run(Contestant<Dim>& search, Runs& runs) {
+        runs.build.push_back(seconds_of([&] { search.build(cloud_.points, cloud_.radius); }));
+        runs.query.push_back(
+            seconds_of([&] { search.query(cloud_.points, cloud_.radii, lists_); }));
+        if (moved_.points.empty()) return;
+        runs.update.push_back(seconds_of([&] { search.update(moved_.points); }));
+        runs.requery.push_back(
+            seconds_of([&] { search.query(moved_.points, moved_.radii, lists_); }));
+    }
+
+    const PointCloud<Dim>& cloud_;
+    const ComparisonOptions& options_;
+    CaseResult& result_;
+    std::vector<std::unique_ptr<Contestant<Dim>>> all_;
+    NeighbourLists lists_;   // of the first search; then what all of them fill
+    PointCloud<Dim> moved_;  // without points if nothing moves
+};
 }  // namespace
 
-bool CaseResult::all_agree() const { return std::ranges::all_of(searches, &SearchResult::agrees); }
-
-std::optional<std::size_t> CaseResult::fastest() const {
-    std::optional<std::size_t> best;
-    for (std::size_t k = 0; k < searches.size(); ++k)
-        if (searches[k].agrees() &&
-            (!best || searches[k].total.median_s < searches[*best].total.median_s))
-            best = k;
-    return best;
-}
-
-template <int Dim>
-CaseResult compare(const PointCloud<Dim>& cloud, const ComparisonOptions& options) {
-    if (options.searches.empty() || options.repeats < 1)
-        throw InvalidInput("comparison: expected at least one search and one repeat");
-    check_radius(OpenSpace<Dim>{}, cloud.radius);
-    check_memory(cloud);
-    CaseResult result{.cloud = cloud.name,
-                      .dim = Dim,
-                      .threads = thread_count(),
-                      .count = cloud.points.size(),
-                      .radius = cloud.radius,
-                      .searches = {}};
-    std::vector<std::unique_ptr<Contestant<Dim>>> all;
-    std::vector<NeighbourLists> lists(options.searches.size());
-    NeighbourLists& first = lists.front();
-    for (std::size_t k = 0; k < options.searches.size(); ++k) {
-        options.progress(
-            fmt::format("{} points, {}: agreement", result.count, options.searches[k]));
-        all.push_back(make_contestant<Dim>(options.searches[k]));
-        SearchResult search{.name = all[k]->name()};
-        Runs cold;
-        run_once(*all[k], cloud, lists[k], cold);
-        search.cold_build_s = cold.build.front();
-        search.cold_query_s = cold.query.front();
-        search.memory = all[k]->memory();
-        if (k == 0) {
-            const auto n = static_cast<double>(result.count);
-            result.brute_force_rows = static_cast<std::size_t>(
-                std::min(n, std::ceil(affordable_pairs / std::max(n, 1.0))));
-            search.wrong_pairs = wrong_in_sample(cloud, first, result.brute_force_rows);
-            result.mean_neighbours = static_cast<double>(first.indices.size()) / std::max(n, 1.0);
-            result.lists_memory =
-                first.indices.size() * sizeof(Index) + first.offsets.size() * sizeof(std::size_t);
-        } else {
-            search.wrong_pairs = verification::wrong_pairs(lists[k], first);
-            if (result.searches.front().wrong_pairs > 0)
-                search.wrong_pairs = wrong_in_sample(cloud, lists[k], result.brute_force_rows);
-        }
-        result.searches.push_back(search);
-        if (k > 0) lists[k] = {};
-    }
-
-    std::vector<Runs> runs(all.size());
-    Runs again;  // the first search a second time: what two runs of the same differ by
-    for (int round = 0; round < options.repeats; ++round) {
-        options.progress(
-            fmt::format("{} points: round {} of {}", result.count, round + 1, options.repeats));
-        for (std::size_t turn = 0; turn < all.size(); ++turn) {
-            const std::size_t k = round % 2 == 0 ? turn : all.size() - 1 - turn;
-            if (!result.searches[k].agrees()) continue;
-            run_once(*all[k], cloud, first, runs[k]);
-            if (k == 0) run_once(*all[k], cloud, first, again);
-        }
-    }
-    if (!again.total.empty()) {
-        std::vector<double> differences;
-        for (std::size_t k = 0; k < again.total.size(); ++k)
-            differences.push_back(std::abs(again.total[k] / runs[0].total[k] - 1.0));
-        result.noise = verification::median(differences);
-    }
-    for (std::size_t k = 0; k < all.size(); ++k)
-        if (result.searches[k].agrees()) {
-            result.searches[k].build = summarise(runs[k].build);
-            result.searches[k].query = summarise(runs[k].query);
-            result.searches[k].total = summarise(runs[k].total);
-        }
-    if (const auto best = result.fastest())
-        for (std::size_t k = 0; k < all.size(); ++k)
-            if (result.searches[k].agrees() && k != *best) {
-                const Timing ratio = median_ratio(runs[k].total, runs[*best].total);
-                result.searches[k].over_fastest = ratio.median_s;
-                result.searches[k].over_fastest_spread =
-                    std::max(ratio.mad_s, result.noise * ratio.median_s);
-            }
-    return result;
-}
-template CaseResult compare<2>(const PointCloud<2>&, const ComparisonOptions&);
-template CaseResult compare<3>(const PointCloud<3>&, const ComparisonOptions&);
-
-std::vector<Exponents> exponents(const std::vector<CaseResult>& cases) {
-    std::vector<Exponents> all;
-    if (cases.size() < 2) return all;
-    for (const SearchResult& search : cases.front().searches) {
-        std::vector<double> n, build, query;
-        for (const CaseResult& c : cases)
-            for (const SearchResult& s : c.searches)
-                if (s.name == search.name && s.agrees()) {
-                    n.push_back(static_cast<double>(c.count));
-                    build.push_back(s.build.median_s);
-                    query.push_back(s.query.median_s);
-                }
-        if (n.size() >= 2 && n.front() != n.back())
-            all.push_back({search.name, slope(n, build), slope(n, query)});
-    }
+std::vector<double> Runs::total(double queries_per_build) const {
+    std::vector<double> all(rounds());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = build[k] + queries_per_build * query[k];
     return all;
 }
 
-std::string recommendation(const CaseResult& result) {
-    const auto best = result.fastest();
-    if (!best) return "no search agrees with brute force";
-    const SearchResult& fastest = result.searches[*best];
-    const SearchResult *next = nullptr, *slowest = nullptr;
-    for (const SearchResult& s : result.searches) {
-        if (!s.agrees() || &s == &fastest) continue;
-        if (!next || s.over_fastest < next->over_fastest) next = &s;
-        if (!slowest || s.over_fastest > slowest->over_fastest) slowest = &s;
-    }
-    if (!next) return fmt::format("{}, the only one compared", fastest.name);
-    if (next->over_fastest - next->over_fastest_spread <= 1.0)
-        return fmt::format("{} or {}: cannot tell which is faster (ratio {:.2f} ± {:.2f})",
-                           fastest.name, next->name, next->over_fastest, next->over_fastest_spread);
-    std::string text = fmt::format("{}, {:.3g} (± {:.2g}) times faster than {}", fastest.name,
-                                   next->over_fastest, next->over_fastest_spread, next->name);
-    if (slowest != next)
-        text += fmt::format(" and {:.3g} (± {:.2g}) times than {}", slowest->over_fastest,
-                            slowest->over_fastest_spread, slowest->name);
-    return text + fmt::format(" at {:.0f} neighbours", result.mean_neighbours);
+std::vector<double> Runs::step(double queries_per_update) const {
+    std::vector<double> all(update.size());
+    for (std::size_t k = 0; k < all.size(); ++k)
+        all[k] = update[k] + queries_per_update * requery[k];
+    return all;
 }
+
+bool CaseResult::all_agree() const { return std::ranges::all_of(searches, &SearchResult::agrees); }
+
+template <int Dim> CaseResult compare(PointCloud<Dim> cloud, const ComparisonOptions& options) {
+    if (options.searches.empty() || options.least < 1)
+        throw InvalidInput("comparison: expected at least one search and one repeat");
+    const Threads threads(options.threads);
+    if (options.spacings) cloud.radius *= *options.spacings / usual_spacings;
+    if (options.own_radii) {
+        cloud.radii = local_radii(cloud.points, usual_neighbours);
+        for (double& r : cloud.radii)
+            r *= options.spacings.value_or(usual_spacings) / usual_spacings;
+        cloud.radius = verification::median(cloud.radii);
+    }
+    require_affordable(cloud);
+    CaseResult result;
+    result.cloud = cloud.name;
+    result.order = cloud.order;
+    result.dim = Dim;
+    result.threads = thread_count();
+    result.count = cloud.points.size();
+    result.radius = cloud.radius;
+    result.spacings = options.spacings.value_or(usual_spacings);
+    result.own_radii = options.own_radii;
+    result.moved = options.moved.value_or(0.0);
+    result.points_bytes = cloud.points.size() * sizeof(Vec<Dim>);
+    Contest<Dim> contest(cloud, options, result);
+    contest.check_agreement();
+    contest.time();
+    return result;
+}
+template CaseResult compare<2>(PointCloud<2>, const ComparisonOptions&);
+template CaseResult compare<3>(PointCloud<3>, const ComparisonOptions&);
 
 }  // namespace benchmarks

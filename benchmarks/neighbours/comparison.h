@@ -9,60 +9,82 @@
 
 namespace benchmarks {
 
-/// How one search did on one cloud. Times are for all points, each of which is a query; `query`
-/// reuses the memory of its lists, as a simulation does, `cold_query_s` was the first of all.
+/// Seconds of each phase in each round, warm: memory is that of the round before. All points are
+/// queries. `update` brings the structure to points of which some have moved, `requery` asks it then.
+struct Runs {
+    std::vector<double> build, query, update, requery;
+
+    std::size_t rounds() const { return build.size(); }
+    /// Of each round, with so many queries of all points per build; a query of 1 % counts 0.01.
+    std::vector<double> total(double queries_per_build = 1.0) const;
+    std::vector<double> step(double queries_per_update = 1.0) const;
+};
+
+/// How one search did on one cloud.
 struct SearchResult {
     std::string name;
     std::size_t wrong_pairs = 0;  // if any, nothing was timed: a wrong search has no speed
-    Timing build{}, query{}, total{};
-    double cold_build_s = 0.0, cold_query_s = 0.0;
-    std::size_t memory = 0;  // bytes held between queries, without the lists
-    /// total / total of the fastest search: the median over the rounds, each a ratio of two runs next
-    /// to each other, and the spread that no closer ratio can be told from.
-    double over_fastest = 1.0, over_fastest_spread = 0.0;
+    Runs runs = {};
+    double cold_build_s = 0.0, cold_query_s = 0.0;  // the first: new memory, empty caches
+    std::size_t held_bytes = 0;                     // between queries, without the lists; allocated
+    /// Beyond the points and lists while it built and queried; empty where it cannot be told.
+    std::optional<std::size_t> peak_bytes = {};
 
     bool agrees() const { return wrong_pairs == 0; }
+    Timing build() const { return summarise(runs.build); }
+    Timing query() const { return summarise(runs.query); }
+    Timing update() const { return summarise(runs.update); }
+    Timing total() const { return summarise(runs.total()); }
+};
+
+/// What is compared: the points and what is asked of them.
+struct Case {
+    std::string cloud, order;
+    int dim = 0, threads = 0;
+    std::size_t count = 0;
+    std::optional<double> contrast = {};  // of the cloud, if it has one
+    double radius = 0.0, spacings = 0.0;  // the radius also in units of half the usual one
+    bool own_radii = false;               // each point asks with a radius of its own
+    double moved = 0.0;                   // share of the points that move before an update
+
+    bool operator==(const Case&) const = default;
 };
 
 /// All searches on one cloud, in one run.
-struct CaseResult {
-    std::string cloud;
-    int dim = 0, threads = 0;
-    std::size_t count = 0;
-    double radius = 0.0, mean_neighbours = 0.0;
-    std::size_t lists_memory = 0;  // bytes
+struct CaseResult : Case {
+    double mean_neighbours = 0.0;
+    /// The 99th over the 1st percentile of the number of neighbours: how uneven the points are.
+    double unevenness = 1.0;
+    std::size_t points_bytes = 0, lists_bytes = 0;
     /// How many rows of the first search were compared with brute force; the others were compared
     /// with the first in full.
     std::size_t brute_force_rows = 0;
-    double noise = 0.0;  // median relative difference of two runs of one and the same search
-    std::vector<SearchResult> searches;
+    /// By how much two successive runs of one and the same search differ, the median over the rounds:
+    /// no interval of a ratio is made narrower.
+    double noise = 0.0;
+    std::vector<SearchResult> searches = {};
 
     bool all_agree() const;
-    /// The index of the fastest search that agrees, none if none does.
-    std::optional<std::size_t> fastest() const;
 };
 
 struct ComparisonOptions {
     std::vector<std::string> searches = contestant_names();
-    int repeats = 9;
+    /// Rounds go on for `seconds`, but there are at least and at most so many of them.
+    int least = 9, most = 49;
+    double seconds = 1.0;
+    double brute_force_pairs = 1e9;       // that brute force may test
+    std::optional<double> spacings = {};  // set: the radius is so many, 2 being the usual one
+    int threads = 0;                      // 0: as many as there are
+    /// Share of the points that move by at most 0.05 spacings before each update; empty: no update.
+    std::optional<double> moved = {};
+    bool own_radii = false;  // the radius in proportion to the distance of the 30th neighbour
     std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
 /// Agreement first, then rounds in which every search builds and queries once, forwards in one round
 /// and backwards in the next, so that a slow spell of the machine meets all of them.
-template <int Dim>
-CaseResult compare(const PointCloud<Dim>& cloud, const ComparisonOptions& options);
-
-/// How the time of one search grows with the number of points, over cases of one cloud: the slope of
-/// log t over log n. O(n log n) is about 1.07 from 1e4 to 1e6.
-struct Exponents {
-    std::string search;
-    double build, query;
-};
-std::vector<Exponents> exponents(const std::vector<CaseResult>& cases);
-
-/// One sentence: the fastest search, by what factor over the next and over the slowest, ± the spread; or that
-/// they cannot be told apart.
-std::string recommendation(const CaseResult& result);
+/// Throws InvalidInput for no search, no point, a radius that is none or makes lists too large for the
+/// memory.
+template <int Dim> CaseResult compare(PointCloud<Dim> cloud, const ComparisonOptions& options);
 
 }  // namespace benchmarks

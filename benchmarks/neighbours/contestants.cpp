@@ -11,17 +11,31 @@ namespace benchmarks {
 namespace {
 using namespace plumbline;
 
-template <int Dim, NeighbourSearch<Dim> Search> class Entry : public Contestant<Dim> {
+template <int Dim, VariableRadiusSearch<Dim> Search> class Entry : public Contestant<Dim> {
 public:
     using typename Contestant<Dim>::Points;
     std::string name() const override { return std::string(Search::name); }
     void build(Points points, double radius) override { search_.build(points, radius); }
-    void query(Points queries, NeighbourLists& lists) const override {
-        search_.query(queries, lists);
+    void update(Points points) override {
+        if constexpr (updates)
+            search_.update(points);
+        else
+            search_.build(points, search_.radius());
     }
-    std::size_t memory() const override { return search_.memory(); }
+    bool has_update() const override { return updates; }
+    void query(Points queries, std::span<const double> radii,
+               NeighbourLists& lists) const override {
+        if (radii.empty())
+            search_.query(queries, lists);
+        else
+            search_.query(queries, radii, lists);
+    }
 
 private:
+    static constexpr bool updates = requires(Search search, Points points) {
+        search.update(points);
+    };
+
     Search search_;
 };
 
@@ -31,7 +45,8 @@ template <int Dim, class Visit> void for_each_type(Visit visit) {
     visit(std::type_identity<HashGrid<Dim>>{});
     visit(std::type_identity<HashGrid<Dim, HashSpacing::radius>>{});
     visit(std::type_identity<KdTree<Dim>>{});
-    visit(std::type_identity<NanoflannSearch<Dim>>{});
+    visit(std::type_identity<NanoflannSearch<Dim, nanoflann_default_leaf>>{});
+    visit(std::type_identity<NanoflannSearch<Dim, nanoflann_tuned_leaf>>{});
     visit(std::type_identity<CgalKdTreeSearch<Dim>>{});
 }
 }  // namespace

@@ -17,12 +17,16 @@ public:
     virtual ~Contestant() = default;
     virtual std::string name() const = 0;
     virtual void build(Points points, double radius) = 0;
-    virtual void query(Points queries, plumbline::NeighbourLists& lists) const = 0;
-    virtual std::size_t memory() const = 0;  // bytes
+    /// The points of `build` have moved: by the search's own update if it has one, else by building.
+    virtual void update(Points points) = 0;
+    virtual bool has_update() const = 0;
+    /// `radii` has one radius for each query, or is empty: that of `build` for all.
+    virtual void query(Points queries, std::span<const double> radii,
+                       plumbline::NeighbourLists& lists) const = 0;
 };
 
 /// The searches of the solver but brute force, then the libraries: cell_grid, hash_grid, hash_grid_r,
-/// kd_tree, nanoflann, cgal_kd_tree. A new one is added to the list in contestants.cpp.
+/// kd_tree, nanoflann, nanoflann_tuned, cgal_kd_tree. A new one is added to the list in contestants.cpp.
 std::vector<std::string> contestant_names();
 
 /// Throws InvalidInput, naming those there are, if there is none of that name; Dim is 2 or 3.

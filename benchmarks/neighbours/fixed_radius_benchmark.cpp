@@ -18,7 +18,7 @@ const std::pair<PointCloud<3>, NeighbourLists>& cloud_of(const std::string& name
     static std::string current;
     static std::pair<PointCloud<3>, NeighbourLists> cloud;
     if (current != name + std::to_string(count)) {
-        cloud.first = make_cloud<3>(name, count);
+        cloud.first = make_cloud<3>({.name = name, .count = count});
         CellGrid<3> search;
         search.build(cloud.first.points, cloud.first.radius);
         cloud.second = search.query(cloud.first.points);
@@ -33,7 +33,7 @@ void measure(benchmark::State& state, const std::string& search_name, const std:
     const auto search = make_contestant<3>(search_name);
     NeighbourLists lists;
     search->build(cloud.points, cloud.radius);
-    search->query(cloud.points, lists);
+    search->query(cloud.points, {}, lists);
     if (lists != expected) {
         state.SkipWithError("a wrong search has no speed");
         return;
@@ -42,7 +42,7 @@ void measure(benchmark::State& state, const std::string& search_name, const std:
         if (build)
             search->build(cloud.points, cloud.radius);
         else
-            search->query(cloud.points, lists);
+            search->query(cloud.points, {}, lists);
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cloud.points.size()));
 }

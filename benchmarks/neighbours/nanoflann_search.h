@@ -9,14 +9,17 @@
 
 namespace benchmarks {
 
+/// How many points a leaf of nanoflann's tree may hold: its default, and what is the fastest on jittered
+/// lattices.
+inline constexpr std::size_t nanoflann_default_leaf = 10, nanoflann_tuned_leaf = 16;
+
 /// The kd-tree of nanoflann, behind our concept. Its distance is summed like squared_distance, and its
 /// results go straight into the row, so that it does no more than its own work.
-template <int Dim> class NanoflannSearch : public plumbline::Queries<NanoflannSearch<Dim>, Dim> {
+template <int Dim, std::size_t Leaf = nanoflann_tuned_leaf>
+class NanoflannSearch : public plumbline::Queries<NanoflannSearch<Dim, Leaf>, Dim> {
 public:
-    static constexpr std::string_view name = "nanoflann";
-
-    /// 16 points a leaf are the fastest on jittered lattices; nanoflann's own default is 10.
-    explicit NanoflannSearch(std::size_t leaf_size = 16) : leaf_size_{leaf_size} {}
+    static constexpr std::string_view name =
+        Leaf == nanoflann_default_leaf ? "nanoflann" : "nanoflann_tuned";
 
     void build(std::span<const plumbline::Vec<Dim>> points, double radius) {
         plumbline::check_radius(space_, radius);
@@ -26,7 +29,7 @@ public:
         points_.x.assign(points.begin(), points.end());
         if (!points.empty())
             tree_ = std::make_unique<Tree>(Dim, points_,
-                                           nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size_));
+                                           nanoflann::KDTreeSingleIndexAdaptorParams(Leaf));
     }
     void find(std::span<const plumbline::Vec<Dim>> queries, plumbline::Radii radii,
               plumbline::NeighbourLists& lists) const {
@@ -72,7 +75,6 @@ private:
         plumbline::Index>;
 
     plumbline::OpenSpace<Dim> space_;
-    std::size_t leaf_size_;
     double radius_ = 0.0;
     Cloud points_;
     std::unique_ptr<Tree> tree_;

@@ -1,5 +1,6 @@
 #include "benchmarks/neighbours/point_clouds.h"
 
+#include "benchmarks/neighbours/dam_break.h"
 #include "solver/particles/clustered.h"
 #include "solver/particles/graded.h"
 #include "solver/particles/jittered.h"
@@ -7,12 +8,12 @@
 #include "verification/framework/statistics.h"
 
 #include <functional>
+#include <numbers>
 
 namespace benchmarks {
 
 namespace {
 using namespace plumbline;
-constexpr std::size_t usual_neighbours = 30;
 
 template <int Dim> double spacing_of(Index count) { return std::pow(count, -1.0 / Dim); }
 
@@ -23,12 +24,13 @@ template <int Dim> Points<Dim> lattice_of(Index count, double edge, std::uint64_
     return jittered(box, edge / cells, 0.2, seed);
 }
 
-template <int Dim> PointCloud<Dim> two_densities(Index count, std::uint64_t seed) {
-    constexpr double edge = 0.1;  // of the dense part
-    Points<Dim> points = lattice_of<Dim>(count / 2, 1.0, seed);
-    const Points<Dim> dense = lattice_of<Dim>(count - count / 2, edge, seed + 1);
+template <int Dim> PointCloud<Dim> two_densities(const CloudRequest& r) {
+    const Index half = std::max<Index>(1, r.count / 2);
+    const double edge = std::pow(r.contrast, -1.0 / Dim);  // of the dense part
+    Points<Dim> points = lattice_of<Dim>(half, 1.0, r.seed);
+    const Points<Dim> dense = lattice_of<Dim>(half, edge, r.seed + 1);
     points.insert(points.end(), dense.begin(), dense.end());
-    return {"", std::move(points), 2.0 * edge * spacing_of<Dim>(count / 2)};
+    return {"", std::move(points), usual_spacings * edge * spacing_of<Dim>(half)};
 }
 
 /// The points of a cloud that fills the first `Filled` axes, at 0.5 along the others.
@@ -42,6 +44,22 @@ template <int Dim, int Filled> Points<Dim> embedded(Index count, std::uint64_t s
     return points;
 }
 
+template <int Dim> Points<Dim> gaussian(Index count, std::uint64_t seed) {
+    constexpr Index clusters = 50;
+    Random random(seed);
+    const Points<Dim> centres = uniform_random(unit_box<Dim>(), clusters, seed + 1);
+    std::vector<double> deviations;
+    for (Index c = 0; c < clusters; ++c) deviations.push_back(random.uniform(0.005, 0.05));
+    Points<Dim> points(count);
+    for (Index i = 0; i < count; ++i)
+        for (int axis = 0; axis < Dim; ++axis) {  // Box and Muller 1958; 1 - u > 0
+            const double far = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
+            const double turn = std::cos(2.0 * std::numbers::pi * random.uniform());
+            points[i][axis] = centres[i % clusters][axis] + deviations[i % clusters] * far * turn;
+        }
+    return points;
+}
+
 template <int Dim> PointCloud<Dim> with_usual_neighbours(Points<Dim> points) {
     const double radius = radius_with_neighbours(points, usual_neighbours);
     return {"", std::move(points), radius};
@@ -49,34 +67,40 @@ template <int Dim> PointCloud<Dim> with_usual_neighbours(Points<Dim> points) {
 
 template <int Dim> struct Maker {
     std::string name;
-    std::function<PointCloud<Dim>(Index count, std::uint64_t seed)> make;
+    std::function<PointCloud<Dim>(const CloudRequest&)> make;
+    bool has_contrast = false;
 };
 
 template <int Dim> const std::vector<Maker<Dim>>& makers() {
+    using Request = const CloudRequest&;
     static const Box<Dim> box = unit_box<Dim>();
     static const std::vector<Maker<Dim>> all{
         {"jittered",
-         [](Index n, std::uint64_t seed) -> PointCloud<Dim> {
-             return {"", lattice_of<Dim>(n, 1.0, seed), 2.0 * spacing_of<Dim>(n)};
+         [](Request r) -> PointCloud<Dim> {
+             return {"", lattice_of<Dim>(r.count, 1.0, r.seed),
+                     usual_spacings * spacing_of<Dim>(r.count)};
          }},
         {"uniform",
-         [](Index n, std::uint64_t seed) -> PointCloud<Dim> {
-             return {"", uniform_random(box, n, seed), 2.0 * spacing_of<Dim>(n)};
+         [](Request r) -> PointCloud<Dim> {
+             return {"", uniform_random(box, r.count, r.seed),
+                     usual_spacings * spacing_of<Dim>(r.count)};
          }},
         {"clustered",
-         [](Index n, std::uint64_t seed) {
-             return with_usual_neighbours(clustered(box, n, {20, 0.05, 100.0}, seed));
-         }},
-        {"two_densities", [](Index n, std::uint64_t seed) { return two_densities<Dim>(n, seed); }},
+         [](Request r) {
+             return with_usual_neighbours(clustered(box, r.count, {20, 0.05, r.contrast}, r.seed));
+         },
+         true},
+        {"gaussian",
+         [](Request r) { return with_usual_neighbours(gaussian<Dim>(r.count, r.seed)); }},
         {"graded",
-         [](Index n, std::uint64_t) { return with_usual_neighbours(graded(box, n, 1000.0)); }},
+         [](Request r) { return with_usual_neighbours(graded(box, r.count, r.contrast)); }, true},
+        {"two_densities", two_densities<Dim>, true},
         {"planar",
-         [](Index n, std::uint64_t seed) {
-             return with_usual_neighbours(embedded<Dim, Dim - 1>(n, seed));
-         }},
-        {"line", [](Index n, std::uint64_t seed) {
-             return with_usual_neighbours(embedded<Dim, 1>(n, seed));
-         }}};
+         [](Request r) { return with_usual_neighbours(embedded<Dim, Dim - 1>(r.count, r.seed)); }},
+        {"line",
+         [](Request r) { return with_usual_neighbours(embedded<Dim, 1>(r.count, r.seed)); }},
+        {"dam_break",
+         [](Request r) { return with_usual_neighbours(dam_break<Dim>(r.count, r.seed)); }}};
     return all;
 }
 }  // namespace
@@ -87,27 +111,33 @@ std::vector<std::string> cloud_names() {
     return names;
 }
 
-template <int Dim>
-PointCloud<Dim> make_cloud(const std::string& name, Index count, std::uint64_t seed) {
-    require_count(count);
+bool has_contrast(const std::string& cloud) {
+    return std::ranges::any_of(
+        makers<3>(), [&](const auto& maker) { return maker.name == cloud && maker.has_contrast; });
+}
+
+template <int Dim> PointCloud<Dim> make_cloud(const CloudRequest& request) {
+    require_count(request.count);
+    if (!(request.contrast >= 1.0 && request.contrast <= 1e9))
+        throw InvalidInput("contrast: expected a ratio of densities from 1 to 1e9, found " +
+                           std::to_string(request.contrast));
     for (const auto& maker : makers<Dim>()) {
-        if (maker.name != name) continue;
-        PointCloud<Dim> cloud = maker.make(count, seed);
-        cloud.name = name;
-        Random random(seed);
-        for (std::size_t i = cloud.points.size(); i > 1; --i)
-            std::swap(cloud.points[i - 1], cloud.points[random.bits() % i]);
+        if (maker.name != request.name) continue;
+        PointCloud<Dim> cloud = maker.make(request);
+        cloud.name = request.name;
         return cloud;
     }
     std::string expected;
     for (const std::string& known : cloud_names()) expected.append(" ").append(known);
-    throw InvalidInput("no cloud \"" + name + "\"; expected one of:" + expected);
+    throw InvalidInput("no cloud \"" + request.name + "\"; expected one of:" + expected);
 }
 
 template <int Dim>
 double radius_with_neighbours(const Points<Dim>& points, std::size_t neighbours) {
     if (points.size() < 2) return 1.0;
-    const std::size_t sample = std::min<std::size_t>(101, points.size());
+    constexpr std::size_t affordable = 100000000;
+    const std::size_t sample =
+        std::min(std::clamp<std::size_t>(affordable / points.size(), 21, 101), points.size());
     const std::size_t number = std::min(neighbours, points.size() - 1);
     std::vector<double> radii, distances(points.size());
     for (std::size_t s = 0; s < sample; ++s) {
@@ -121,8 +151,8 @@ double radius_with_neighbours(const Points<Dim>& points, std::size_t neighbours)
     return radius > 0.0 ? radius : 1.0;
 }
 
-template PointCloud<2> make_cloud<2>(const std::string&, Index, std::uint64_t);
-template PointCloud<3> make_cloud<3>(const std::string&, Index, std::uint64_t);
+template PointCloud<2> make_cloud<2>(const CloudRequest&);
+template PointCloud<3> make_cloud<3>(const CloudRequest&);
 template double radius_with_neighbours<2>(const Points<2>&, std::size_t);
 template double radius_with_neighbours<3>(const Points<3>&, std::size_t);
 

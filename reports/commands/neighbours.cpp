@@ -1,172 +1,199 @@
+#include "benchmarks/neighbours/particle_order.h"
+#include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/files.h"
 #include "reports/interrupt.h"
+#include "reports/neighbours_charts.h"
+#include "reports/neighbours_plan.h"
 #include "reports/neighbours_report.h"
-#include "solver/foundation/parallel.h"
+#include "reports/neighbours_tables.h"
+#include "reports/progress.h"
+#include "reports/provenance.h"
 #include "solver/io/read_points.h"
-#include "solver/neighbours/queries.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <map>
 #include <memory>
-#include <optional>
 
 namespace reports {
 namespace {
 using namespace plumbline;
-using benchmarks::CaseResult;
-using benchmarks::PointCloud;
+using namespace benchmarks;
 
 struct Options {
-    std::string points, cloud = "jittered", json, directory;
-    int dim = 3, repeats = 9;
-    std::vector<Index> counts;
-    std::vector<std::string> searches;
-    std::optional<double> radius;  // [unit of the points]
+    NeighbourRequest request;
+    std::string points, json, directory;
+    std::vector<std::string> searches, studies;
+    int repeats = 0;
     bool quick = false;
 };
 
-constexpr std::size_t usual_neighbours = 30;
+Level level_of(const Options& options) { return options.quick ? Level::quick : Level::usual; }
 
-template <int Dim> PointCloud<Dim> read_cloud(const Options& options, const PointFile& file) {
-    PointCloud<Dim> cloud{std::filesystem::path(options.points).stem().string(),
-                          file.points_as<Dim>(), 0.0};
-    cloud.radius = options.radius
-                       ? *options.radius
-                       : benchmarks::radius_with_neighbours(cloud.points, usual_neighbours);
-    return cloud;
-}
-
-benchmarks::ComparisonOptions how(const Options& options) {
-    benchmarks::ComparisonOptions how;
+ComparisonOptions how(const Options& options) {
+    ComparisonOptions how = effort(level_of(options));
     if (!options.searches.empty()) how.searches = options.searches;
-    how.repeats = options.quick ? std::min(options.repeats, 5) : options.repeats;
+    if (options.repeats > 0) how.least = how.most = options.repeats;
     how.progress = [](const std::string&) { stop_if_interrupted(); };
     return how;
 }
 
-template <int Dim> std::vector<CaseResult> compare_clouds(const Options& options) {
-    std::vector<CaseResult> cases;
-    for (const Index count : options.counts) {
-        PointCloud<Dim> cloud = benchmarks::make_cloud<Dim>(options.cloud, count);
-        if (options.radius) cloud.radius = *options.radius;
-        cases.push_back(compare(cloud, how(options)));
-    }
-    return cases;
+template <int Dim>
+CaseResult measure_file(const Options& options, const PointFile& file, const SearchSituation& s) {
+    PointCloud<Dim> cloud{std::filesystem::path(options.points).stem().string(),
+                          file.points_as<Dim>(), 0.0};
+    cloud.radius = s.radius ? *s.radius : radius_with_neighbours(cloud.points, usual_neighbours);
+    reorder(cloud, s.order);
+    ComparisonOptions how = reports::how(options);
+    how.spacings = s.spacings;
+    how.moved = s.moved;
+    how.own_radii = s.own_radii;
+    return compare(std::move(cloud), how);
 }
 
-std::vector<CaseResult> measure(Options options) {
+std::vector<SearchStudy> studies_of(Options& options) {
+    NeighbourRequest& request = options.request;
     if (!options.points.empty()) {
-        const PointFile file = read_points(options.points);
-        if (file.dim == 2) return {compare(read_cloud<2>(options, file), how(options))};
-        return {compare(read_cloud<3>(options, file), how(options))};
+        if (request.orders.empty()) request.orders = {"as_given"};
+        return plan(request);
     }
-    if (options.counts.empty())
-        options.counts = options.quick ? std::vector<Index>{1000, 10000}
-                                       : std::vector<Index>{1000, 10000, 100000, 1000000};
-    return options.dim == 2 ? compare_clouds<2>(options) : compare_clouds<3>(options);
+    const auto known = search_studies(level_of(options));
+    if (options.studies.empty()) {
+        if (request.counts.empty() && request.contrasts.size() < 2)
+            for (const SearchSituation& s : known.front().situations)
+                request.counts.push_back(s.cloud.count);
+        return plan(request);
+    }
+    std::vector<SearchStudy> chosen;
+    for (const SearchStudy& study : known)
+        for (const std::string& name : options.studies)
+            if (name == study.name || name == "all") chosen.push_back(study);
+    return chosen;
 }
 
-std::string command_line(const Options& options) {
-    std::string text = "plumbline neighbours";
-    if (!options.points.empty())
-        text += fmt::format(" --points {}", options.points);
-    else
-        text += fmt::format(" --cloud {} --dim {}", options.cloud, options.dim);
-    for (const Index count : options.counts) text += fmt::format(" --count {}", count);
-    if (options.radius) text += fmt::format(" --radius {:.17g}", *options.radius);
-    for (const std::string& search : options.searches) text += fmt::format(" --search {}", search);
-    return text + fmt::format(" --repeats {}{} --threads {}", options.repeats,
-                              options.quick ? " --quick" : "", thread_count());
-}
-
-void print(const CaseResult& c) {
-    const double per_point = 1e9 / static_cast<double>(c.count);
-    fmt::print(
-        "{} {}D, {} points, radius {:.4g}, {:.1f} neighbours, {} thread{}; A/A noise {:.1f} %\n",
-        c.cloud, c.dim, c.count, c.radius, c.mean_neighbours, c.threads, c.threads == 1 ? "" : "s",
-        100.0 * c.noise);
-    fmt::print(
-        "agreement: first search with brute force on {} of {} rows, the others with it on all\n",
-        c.brute_force_rows, c.count);
-    fmt::print("{:<14} {:>10} {:>8} {:>10} {:>8} {:>10} {:>10} {:>10} {:>16}\n", "ns per point",
-               "build", "±", "query", "±", "total", "cold", "B/point", "of the fastest");
-    for (const benchmarks::SearchResult& s : c.searches) {
-        if (!s.agrees()) {
-            fmt::print("{:<14} {} wrong pairs: not timed\n", s.name, s.wrong_pairs);
-            continue;
+NeighbourComparison measure(Options options) {
+    const auto studies = studies_of(options);
+    std::optional<PointFile> file;
+    if (!options.points.empty()) file = read_points(options.points);
+    std::size_t steps = 0;
+    for (const SearchStudy& study : studies) steps += study.situations.size();
+    Progress progress(steps);
+    NeighbourComparison comparison{{}, provenance().command_line};
+    for (const SearchStudy& study : studies) {
+        SearchStudyResult result{study.name, study.question, {}};
+        for (const SearchSituation& s : study.situations) {
+            progress.step(file ? options.points : s.in_words());
+            result.cases.push_back(!file            ? benchmarks::measure(s, how(options))
+                                   : file->dim == 2 ? measure_file<2>(options, *file, s)
+                                                    : measure_file<3>(options, *file, s));
         }
-        fmt::print(
-            "{:<14} {:>10.1f} {:>8.1f} {:>10.1f} {:>8.1f} {:>10.1f} {:>10.1f} {:>10.1f} {:>8.2f} ± "
-            "{:<5.2f}\n",
-            s.name, s.build.median_s * per_point, s.build.mad_s * per_point,
-            s.query.median_s * per_point, s.query.mad_s * per_point, s.total.median_s * per_point,
-            (s.cold_build_s + s.cold_query_s) * per_point,
-            static_cast<double>(s.memory) / static_cast<double>(c.count), s.over_fastest,
-            s.over_fastest_spread);
+        comparison.studies.push_back(std::move(result));
     }
-    fmt::print("use {}\n\n", benchmarks::recommendation(c));
+    return comparison;
 }
 
-void print(const NeighbourComparison& comparison) {
-    for (const CaseResult& c : comparison.cases) print(c);
-    const auto exponents = benchmarks::exponents(comparison.cases);
-    if (exponents.empty()) return;
-    fmt::print("{:<14} {:>10} {:>10}   time ~ points^exponent; n log n is about 1.1\n", "exponents",
-               "build", "query");
-    for (const auto& e : exponents)
-        fmt::print("{:<14} {:>10.2f} {:>10.2f}\n", e.search, e.build, e.query);
+void write_charts(const NeighbourComparison& comparison, const std::string& directory) {
+    std::map<std::string, int> studies;  // so far, by name
+    for (const SearchStudyResult& study : comparison.studies) {
+        const int number = ++studies[study.name];
+        for (const NamedChart& named : charts_of(study, comparison.command)) {
+            const std::string name =
+                number == 1 ? named.name : fmt::format("{}_{}", named.name, number);
+            fmt::print(stderr, "wrote {}\n", draw(named.chart, directory, name).svg.string());
+        }
+    }
+    const auto table = std::filesystem::path(directory) / "neighbours.csv";
+    write_file(table, csv_of(comparison));
+    fmt::print(stderr, "wrote {}\n", table.string());
+}
+
+/// With the noise that `plumbline compare` needs: the median over the cases.
+Json document_of(const NeighbourComparison& comparison) {
+    Json json = document("neighbours", json_of(comparison));
+    std::vector<double> noise;
+    for (const SearchStudyResult& study : comparison.studies)
+        for (const CaseResult& c : study.cases) noise.push_back(c.noise);
+    std::ranges::sort(noise);
+    if (!noise.empty()) json["noise"] = {{"relative", number(noise[noise.size() / 2])}};
+    return json;
 }
 
 ExitCode neighbours(const Options& options) {
-    if (options.radius) check_radius(OpenSpace<3>{}, *options.radius);
-    const NeighbourComparison comparison{measure(options), command_line(options)};
-    if (options.json != "-") print(comparison);
-    if (!options.directory.empty()) {
-        for (const NamedChart& named : charts_of(comparison))
-            fmt::print(stderr, "wrote {}\n",
-                       draw(named.chart, options.directory, named.name).svg.string());
-        const auto table = std::filesystem::path(options.directory) / "neighbours.csv";
-        write_file(table, csv_of(comparison));
-        fmt::print(stderr, "wrote {}\n", table.string());
-    }
-    if (!options.json.empty())
-        write_json(document("neighbours", json_of(comparison)), options.json);
-    const bool agree = std::ranges::all_of(comparison.cases, &CaseResult::all_agree);
-    return agree ? ExitCode::ok : ExitCode::check_failed;
+    const NeighbourComparison comparison = measure(options);
+    if (options.json != "-")
+        for (const SearchStudyResult& study : comparison.studies)
+            fmt::print("{}", tables_of(study));
+    if (!options.directory.empty()) write_charts(comparison, options.directory);
+    if (!options.json.empty()) write_json(document_of(comparison), options.json);
+    for (const SearchStudyResult& study : comparison.studies)
+        if (!std::ranges::all_of(study.cases, &CaseResult::all_agree))
+            return ExitCode::check_failed;
+    return ExitCode::ok;
+}
+
+std::vector<std::string> study_names() {
+    std::vector<std::string> names{"all"};
+    for (const SearchStudy& study : search_studies(Level::quick)) names.push_back(study.name);
+    return names;
+}
+
+void declare_points(CLI::App& app, Options& o) {
+    const auto points = app.add_option("--points", o.points, "a file: CSV, XYZ, PLY, VTP");
+    const auto cloud = app.add_option("--cloud", o.request.clouds, "points made by us")
+                           ->check(CLI::IsMember(cloud_names()))
+                           ->excludes(points);
+    const auto dim = app.add_option("--dim", o.request.dim, "of the clouds")
+                         ->check(CLI::Range(2, 3))
+                         ->capture_default_str()
+                         ->excludes(points);
+    const auto count =
+        app.add_option("--count", o.request.counts, "numbers of points (1000 to 1000000)")
+            ->check(CLI::Range(1u, 100000000u))
+            ->excludes(points);
+    const auto contrast =
+        app.add_option("--contrast", o.request.contrasts, "density contrasts of the cloud (1000)")
+            ->excludes(points);
+    const auto order = app.add_option("--order", o.request.orders,
+                                      "of the points in memory (shuffled; of a file: as_given)")
+                           ->check(CLI::IsMember(order_names()));
+    const auto radius =
+        app.add_option("--radius", o.request.radius, "in the unit of the points (30 neighbours)");
+    const auto spacings = app.add_option("--spacings", o.request.spacings,
+                                         "radii in units of half the usual radius (2)")
+                              ->excludes(radius);
+    const auto moved = app.add_option("--moved", o.request.moved,
+                                      "shares of the points that move before each update, 0 to 1");
+    const auto own =
+        app.add_flag("--own-radii", o.request.own_radii,
+                     "each point asks with a radius of its own, for as many neighbours each");
+    const auto study = app.add_option("--study", o.studies, "what the page of `report` shows")
+                           ->check(CLI::IsMember(study_names()));
+    for (CLI::Option* option :
+         {points, cloud, dim, count, contrast, order, radius, spacings, moved, own})
+        study->excludes(option);
 }
 
 const RegisterCommand command{
-    {"neighbours", "neighbour searches: agreement first, then build and query time and memory",
+    {"neighbours", "neighbour searches: agreement first, then time and memory of every phase",
      [](CLI::App& app) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         const auto points =
-             app.add_option("--points", options->points, "a file of points: CSV, XYZ, PLY, VTP");
-         app.add_option("--cloud", options->cloud, "points made by us")
-             ->check(CLI::IsMember(benchmarks::cloud_names()))
-             ->capture_default_str()
-             ->excludes(points);
-         app.add_option("--dim", options->dim, "of the cloud")
-             ->check(CLI::Range(2, 3))
-             ->capture_default_str()
-             ->excludes(points);
-         app.add_option("--count", options->counts, "numbers of points (1000 to 1000000)")
-             ->check(CLI::Range(2u, 100000000u))
-             ->excludes(points);
-         app.add_option("--radius", options->radius, "in the unit of the points (30 neighbours)");
+         declare_points(app, *options);
          app.add_option("--search", options->searches, "only these")
-             ->check(CLI::IsMember(benchmarks::contestant_names()));
-         app.add_option("--repeats", options->repeats, "interleaved rounds")
-             ->check(CLI::Range(1, 1000))
-             ->capture_default_str();
+             ->check(CLI::IsMember(contestant_names()));
+         app.add_option("--repeats", options->repeats,
+                        "interleaved rounds (9 to 49; quick: 6 to 25); below 6 nothing can be told")
+             ->check(CLI::Range(1, 1000));
          app.add_flag("--quick", options->quick, "fewer points and rounds");
          app.add_option("--json", options->json, "write the results to this file, - for stdout")
              ->expected(0, 1)
-             ->default_str("-");
+             ->default_str("-")
+             ->check(output_file());
          app.add_option("-o,--output", options->directory,
-                        "draw charts and write tables into this folder");
+                        "draw charts and write tables into this folder")
+             ->check(output_folder());
          return [options] { return neighbours(*options); };
      }}};
 }  // namespace

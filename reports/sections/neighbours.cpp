@@ -1,5 +1,6 @@
 #include "reports/charts/chart_json.h"
 #include "reports/interrupt.h"
+#include "reports/neighbours_charts.h"
 #include "reports/neighbours_report.h"
 #include "reports/page/templates.h"
 #include "reports/sections/section.h"
@@ -7,69 +8,126 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace reports {
 namespace {
-using plumbline::Index;
+using namespace benchmarks;
 
-/// Enough rounds for a spread.
-constexpr int rounds = 5;
-
-Json measured(bool quick) {
-    benchmarks::ComparisonOptions options;
-    options.repeats = rounds;
-    options.progress = [](const std::string&) { stop_if_interrupted(); };
-    NeighbourComparison comparison;
-    comparison.command = "plumbline neighbours";
-    for (const Index count : {Index{1000}, Index{10000}, Index{100000}, Index{1000000}}) {
-        if (quick && count > 100000) break;
-        comparison.command += fmt::format(" --count {}", count);
-        comparison.cases.push_back(compare(benchmarks::make_cloud<3>("jittered", count), options));
-    }
-    Json piece = json_of(comparison);
+Json measured(const SearchStudy& study, bool quick) {
+    ComparisonOptions how = effort(quick ? Level::quick : Level::usual);
+    how.progress = [](const std::string&) { stop_if_interrupted(); };
+    SearchStudyResult result{study.name, study.question, {}};
+    for (const SearchSituation& situation : study.situations)
+        result.cases.push_back(benchmarks::measure(situation, how));
+    const std::string command =
+        fmt::format("plumbline neighbours --study {}{}", study.name, quick ? " --quick" : "");
+    Json piece = json_of(result);
+    piece["command"] = command;
     piece["charts"] = Json::array();
-    for (const NamedChart& named : charts_of(comparison))
+    for (const NamedChart& named : charts_of(result, command))
         piece["charts"].push_back({{"chart", json_of(named.chart, named.name)}});
     return piece;
 }
 
 void measure_searches(ReportRun& run) {
-    const Json piece = run.piece("neighbours", "comparison of the neighbour searches",
-                                 [&] { return measured(run.quick); });
-    run.report["neighbours"] = piece;
-    run.report["findings_cost"].push_back(fmt::format(
-        "neighbour search: {}.", piece["cases"].back()["recommendation"].get<std::string>()));
+    Json& report = run.report["neighbours"] = {{"studies", Json::array()}};
+    for (const SearchStudy& study : search_studies(run.quick ? Level::quick : Level::usual))
+        report["studies"].push_back(run.piece("neighbours/" + study.name,
+                                              "neighbour searches: " + study.question,
+                                              [&] { return measured(study, run.quick); }));
+    const Json& largest = report["studies"][0]["cases"].back();
+    run.report["findings_cost"].push_back(
+        fmt::format("neighbour search, {} points: {}.", largest["count"].get<std::size_t>(),
+                    largest["recommendation"].get<std::string>()));
+    for (const Json& study : report["studies"])
+        for (const Json& verdict : study["verdicts"])
+            if (study["id"] == "contrast")
+                run.report["findings_breaks"].push_back(fmt::format(
+                    "{}: {}; {}", verdict["statement"].get<std::string>(),
+                    verdict["verdict"].get<std::string>(), verdict["evidence"].get<std::string>()));
 }
 
-std::string nanoseconds_per_point(const Json& timing, const Json& count) {
-    if (timing["median_s"].is_null()) return "not timed";
-    return fmt::format("{:.0f}", timing["median_s"].get<double>() * 1e9 / count.get<double>());
+/// Nanoseconds per point of a phase; empty if it was not measured.
+std::string per_point(const Json& search, const char* phase, const Json& count) {
+    if (!search.contains(phase) || search[phase]["median_s"].is_null()) return "";
+    return fmt::format("{:.0f}",
+                       search[phase]["median_s"].get<double>() * 1e9 / count.get<double>());
+}
+
+Json bytes_per_point(const Json& bytes, const Json& count) {
+    if (bytes.is_null()) return "";
+    return fmt::format("{:.0f}", bytes.get<double>() / count.get<double>());
+}
+
+std::string ratio_in_words(const Json& search) {
+    if (!search.contains("over_fastest")) return "";
+    const Json& r = search["over_fastest"];
+    if (r["low"] == r["high"]) return "1";
+    return fmt::format("{} [{}, {}]", short_number(r["value"]), short_number(r["low"]),
+                       short_number(r["high"]));
 }
 
 Json row_of(const Json& search, const Json& count) {
     const bool agrees = search["wrong_pairs"] == 0;
-    return {{"search", search["search"]},
-            {"agrees", agrees ? "agrees" : "wrong pairs"},
-            {"class", agrees ? "ok" : "bad"},
-            {"build", nanoseconds_per_point(search["build"], count)},
-            {"query", nanoseconds_per_point(search["query"], count)},
-            {"of_fastest", short_number(search["over_fastest"])}};
+    Json row = {{"search", search["search"]},
+                {"agrees", agrees ? "agrees" : "wrong pairs: not timed"},
+                {"class", agrees ? "ok" : "bad"},
+                {"build", per_point(search, "build", count)},
+                {"query", per_point(search, "query", count)},
+                {"update", per_point(search, "update", count)},
+                {"held", bytes_per_point(search["held_bytes"], count)},
+                {"of_fastest", ratio_in_words(search)},
+                {"place", ""}};
+    if (search.contains("first_place")) {
+        const auto first = search["first_place"].get<int>(), last = search["last_place"].get<int>();
+        row["place"] =
+            first == last ? fmt::format("{}", first) : fmt::format("{} to {}", first, last);
+    }
+    return row;
+}
+
+Json view_of_case(const Json& c) {
+    Json rows = Json::array();
+    for (const Json& search : c["searches"]) rows.push_back(row_of(search, c["count"]));
+    return {{"case", c["id"]},
+            {"neighbours", short_number(c["mean_neighbours"])},
+            {"recommendation", c["recommendation"]},
+            {"rows", std::move(rows)}};
+}
+
+Json view_of_exponents(const Json& exponents) {
+    Json rows = Json::array();
+    for (const Json& e : exponents)
+        rows.push_back(
+            {{"search", e["search"]},
+             {"phase", e["phase"]},
+             {"exponent", fmt::format("{:.2f}", e["value"].get<double>())},
+             {"interval", fmt::format("[{}, {}]", short_number(e["low"]), short_number(e["high"]))},
+             {"n_log_n", short_number(e["n_log_n"])}});
+    return rows;
 }
 
 Json view(const Json& report) {
     if (!report.contains("neighbours")) return nullptr;
-    Json cases = Json::array();
-    for (const Json& c : report["neighbours"]["cases"]) {
-        Json rows = Json::array();
-        for (const Json& search : c["searches"]) rows.push_back(row_of(search, c["count"]));
-        cases.push_back({{"count", c["count"]},
-                         {"neighbours", short_number(c["mean_neighbours"])},
-                         {"threads", c["threads"]},
-                         {"recommendation", c["recommendation"]},
-                         {"rows", std::move(rows)}});
+    Json studies = Json::array(), verdicts = Json::array();
+    for (const Json& study : report["neighbours"]["studies"]) {
+        Json cases = Json::array();
+        for (const Json& c : study["cases"]) cases.push_back(view_of_case(c));
+        const Json exponents = view_of_exponents(study["exponents"]);
+        studies.push_back({{"question", study["question"]},
+                           {"command", study["command"]},
+                           {"charts", study["charts"]},
+                           {"has_exponents", !exponents.empty()},
+                           {"exponents", exponents},
+                           {"cases", std::move(cases)}});
+        for (Json verdict : study["verdicts"]) {
+            const std::string word = verdict["verdict"];
+            verdict["class"] = word == "holds" ? "ok" : word == "cannot be told" ? "open" : "bad";
+            verdicts.push_back(std::move(verdict));
+        }
     }
-    return {{"command", report["neighbours"]["command"]},
-            {"charts", report["neighbours"]["charts"]},
-            {"cases", std::move(cases)}};
+    return {{"studies", std::move(studies)}, {"verdicts", std::move(verdicts)}};
 }
 
 const RegisterSection section{{60, "neighbours", "Which neighbour search is the fastest?",

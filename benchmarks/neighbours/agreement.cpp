@@ -1,0 +1,75 @@
+#include "benchmarks/neighbours/agreement.h"
+
+#include "solver/neighbours/brute_force.h"
+#include "verification/neighbours/searches.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace benchmarks {
+
+namespace {
+using namespace plumbline;
+
+template <int Dim> double radius_of(const PointCloud<Dim>& cloud, std::size_t i) {
+    return cloud.radii.empty() ? cloud.radius : cloud.radii[i];
+}
+}  // namespace
+
+template <int Dim> void require_affordable(const PointCloud<Dim>& cloud) {
+    if (cloud.points.empty()) throw InvalidInput("comparison: expected points, found none");
+    check_radius(OpenSpace<Dim>{}, cloud.radius);
+    check_points<OpenSpace<Dim>, Dim>(OpenSpace<Dim>{}, cloud.points);
+    const std::size_t n = cloud.points.size(), sample = affordable_rows(n, 1e8);
+    const std::size_t rows = std::min<std::size_t>(sample, 100);
+    double neighbours = 0.0;
+    for (std::size_t s = 0; s < rows; ++s) {
+        const std::size_t i = s * n / rows;
+        const double r = radius_of(cloud, i);
+        for (const Vec<Dim>& x : cloud.points)
+            if (squared_distance(OpenSpace<Dim>{}, cloud.points[i], x) < r * r) neighbours += 1.0;
+    }
+    const double lists =
+        neighbours / static_cast<double>(rows) * static_cast<double>(n) * sizeof(Index);
+    const double memory =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    constexpr double copies = 4.0;  // two searches, each with what it fills its lists from
+    if (copies * lists > memory)
+        throw InvalidInput(
+            fmt::format("comparison: a radius of {:.17g} makes lists of {:.3g} GB, expected at "
+                        "most a quarter of the memory, {:.3g} GB",
+                        cloud.radius, lists * 1e-9, memory / copies * 1e-9));
+}
+
+std::size_t affordable_rows(std::size_t points, double pairs) {
+    const auto n = static_cast<double>(points);
+    return static_cast<std::size_t>(std::clamp(std::floor(pairs / std::max(n, 1.0)), 1.0, n));
+}
+
+template <int Dim>
+std::size_t wrong_against_brute_force(const PointCloud<Dim>& cloud, const NeighbourLists& lists,
+                                      std::size_t rows) {
+    if (lists.size() != cloud.points.size()) return std::max<std::size_t>(1, cloud.points.size());
+    Points<Dim> queries;
+    std::vector<double> radii;
+    NeighbourLists found{{0}, {}};
+    for (std::size_t k = 0; k < rows; ++k) {
+        const auto i = static_cast<Index>(k * cloud.points.size() / rows);
+        queries.push_back(cloud.points[i]);
+        radii.push_back(radius_of(cloud, i));
+        found.indices.insert(found.indices.end(), lists.of(i).begin(), lists.of(i).end());
+        found.offsets.push_back(found.indices.size());
+    }
+    BruteForce<Dim> oracle;
+    oracle.build(cloud.points, cloud.radius);
+    return verification::wrong_pairs(found, oracle.query(queries, radii));
+}
+
+template void require_affordable<2>(const PointCloud<2>&);
+template void require_affordable<3>(const PointCloud<3>&);
+template std::size_t wrong_against_brute_force<2>(const PointCloud<2>&, const NeighbourLists&,
+                                                  std::size_t);
+template std::size_t wrong_against_brute_force<3>(const PointCloud<3>&, const NeighbourLists&,
+                                                  std::size_t);
+
+}  // namespace benchmarks
