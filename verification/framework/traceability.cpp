@@ -67,6 +67,8 @@ const std::vector<Statement>& statements() {
         {adams2009, "Eq. 50", "by the plain gradient"},
         {adams2009, "Eq. 51", "by the symmetric gradient"},
         {adams2009, "Eq. 52", "acceleration by viscosity"},
+        {adams2009, "Eq. 53", "artificial viscosity: XSPH"},
+        {adams2009, "Eq. 54", "scaling of negative pressures"},
         {adams2009, "Eq. 58", "step of the velocity"},
         {adams2009, "Eq. 59", "step of the position"},
         {adams2009, "Eq. 86", "poly6 kernel in space"},
