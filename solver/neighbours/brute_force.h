@@ -6,22 +6,24 @@
 namespace plumbline {
 
 /// O(n²); the oracle that every other search is compared with.                adams2009 Sec. 5
-template <int Dim, class Space = OpenSpace<Dim>>
-class BruteForce : public Queries<BruteForce<Dim, Space>, Dim> {
+template <int Dim, class Space = OpenSpace<Dim>, class Real = double>
+class BruteForce : public Queries<BruteForce<Dim, Space, Real>, Dim, Real> {
+    using Given = std::span<const VecOf<Real, Dim>>;
+
 public:
     static constexpr std::string_view name = "brute_force";
 
     explicit BruteForce(Space space = {}) : space_{space} {}
 
-    void build(std::span<const Vec<Dim>> points, double radius) {
-        check_radius(space_, radius);
+    void build(Given points, double radius) {
+        check_radius<Real>(space_, radius);
         check_points(space_, points);
         points_.assign(points.begin(), points.end());
         radius_ = radius;
     }
-    void find(std::span<const Vec<Dim>> queries, Radii radii, NeighbourLists& lists) const {
+    void find(Given queries, Radii radii, NeighbourLists& lists) const {
         fill_lists(queries.size(), lists, [&](std::size_t i, std::vector<Index>& row) {
-            const double r = radii.of(i);
+            const auto r = static_cast<Real>(radii.of(i));
             for (Index j = 0; j < points_.size(); ++j)
                 if (squared_distance(space_, queries[i], points_[j]) < r * r) row.push_back(j);
         });
@@ -29,11 +31,11 @@ public:
 
     const Space& space() const { return space_; }
     double radius() const { return radius_; }
-    std::size_t memory() const { return points_.size() * sizeof(Vec<Dim>); }
+    std::size_t memory() const { return points_.size() * sizeof(VecOf<Real, Dim>); }
 
 private:
     Space space_;
-    Points<Dim> points_;
+    std::vector<VecOf<Real, Dim>> points_;
     double radius_ = 0.0;
 };
 

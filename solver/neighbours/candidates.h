@@ -1,86 +1,64 @@
 #pragma once
 
+#include "solver/neighbours/near_points.h"
 #include "solver/neighbours/space.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace plumbline {
 
-/// Points that may be neighbours of the queries of one cell, one array per coordinate.
-template <int Dim> class Candidates {
+/// Points that may be neighbours of several queries, one array per coordinate, ready for the distance
+/// test of near_points.h. The arrays only grow.
+template <int Dim, class Real = double> class Candidates {
 public:
-    static constexpr std::size_t step = 64;
+    /// Copies may run over the end of what they copy by so many elements.
+    static constexpr std::size_t slack = candidates_per_step;
 
-    /// Makes room for n candidates and a step more; the arrays only grow.
+    /// Makes room for n candidates; their arrays are then to be filled, and closed.
     void resize(std::size_t n) {
         size_ = n;
-        const std::size_t room = words() * step + step;
-        if (room <= id_.size()) return;
-        for (auto& coordinate : x_) coordinate.resize(2 * room);
-        id_.resize(2 * room);
+        if (n + 2 * slack <= id_.size()) return;
+        for (auto& coordinate : x_) coordinate.resize(2 * (n + slack));
+        id_.resize(2 * (n + slack));
     }
-    /// Fills the last step with candidates at infinity, so that loops need no special last step.
+    /// Puts candidates at infinity behind the last one, for the rest of its step.
     void close() {
         for (auto& coordinate : x_)
-            std::fill_n(coordinate.begin() + static_cast<std::ptrdiff_t>(size_),
-                        words() * step - size_, std::numeric_limits<double>::infinity());
+            std::fill_n(coordinate.data() + size_, slack, std::numeric_limits<Real>::infinity());
     }
     std::size_t size() const { return size_; }
-    /// How many words of 64 bits hold one bit for each candidate.
-    std::size_t words() const { return (size_ + step - 1) / step; }
 
-    double* x(int axis) { return x_[axis].data(); }
-    const double* x(int axis) const { return x_[axis].data(); }
+    Real* x(int axis) { return x_[axis].data(); }
+    const Real* x(int axis) const { return x_[axis].data(); }
     Index* id() { return id_.data(); }
     const Index* id() const { return id_.data(); }
 
+    /// Of the candidates from `from` on, those closer to q than the root of squared_radius.
+    template <class Space>
+    NearTest<Real> near(const Space& space, const VecOf<Real, Dim>& q, Real squared_radius,
+                        std::size_t from = 0) const {
+        NearTest<Real> test{};
+        test.id = id();
+        test.from = from;
+        test.size = size_;
+        test.squared_radius = squared_radius;
+        for (int axis = 0; axis < Dim; ++axis) {
+            test.x[axis] = x(axis);
+            test.centre[axis] = q[axis];
+            if constexpr (Space::is_periodic)
+                test.edge[axis] = static_cast<Real>(space.edge()[axis]);
+        }
+        return test;
+    }
+
 private:
-    std::array<std::vector<double>, Dim> x_;
-    std::vector<Index> id_;
+    template <class T> using Aligned = std::vector<T, Eigen::aligned_allocator<T>>;
+    std::array<Aligned<Real>, Dim> x_;
+    Aligned<Index> id_;
     std::size_t size_ = 0;
 };
-
-/// Bit k of `within` says whether candidate k is closer to q than the radius, by the expression of
-/// squared_distance; returns how many are. `within` has room for c.words() words.
-template <class Space, int Dim>
-std::size_t test_candidates(const Space& space, const Vec<Dim>& q, double squared_radius,
-                            const Candidates<Dim>& c, std::uint64_t* within) {
-    std::size_t found = 0;
-    for (std::size_t w = 0; w < c.words(); ++w) {
-        constexpr std::size_t step = Candidates<Dim>::step;
-        std::array<double, step> squared;
-        for (std::size_t k = 0; k < step; ++k) {
-            const double d = space.difference(q[0], c.x(0)[w * step + k], 0);
-            squared[k] = d * d;
-        }
-        for (int axis = 1; axis < Dim; ++axis)
-            for (std::size_t k = 0; k < step; ++k) {
-                const double d = space.difference(q[axis], c.x(axis)[w * step + k], axis);
-                squared[k] += d * d;
-            }
-        std::uint64_t bits = 0;
-        for (std::size_t k = 0; k < step; ++k)
-            bits |= static_cast<std::uint64_t>(squared[k] < squared_radius) << k;
-        within[w] = bits;
-        found += static_cast<std::size_t>(std::popcount(bits));
-    }
-    return found;
-}
-
-/// Writes the ids of the candidates whose bits are set to `out`, which has room for 16 more; returns
-/// how many they are.
-inline std::size_t select_candidates(const Index* id, std::size_t words,
-                                     const std::uint64_t* within, Index* out) {
-    std::size_t found = 0;
-    for (std::size_t w = 0; w < words; ++w)
-        for (std::uint64_t bits = within[w]; bits != 0; bits &= bits - 1)
-            out[found++] = id[w * 64 + static_cast<std::size_t>(std::countr_zero(bits))];
-    return found;
-}
 
 }  // namespace plumbline

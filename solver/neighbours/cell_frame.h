@@ -1,9 +1,11 @@
 #pragma once
 
+#include "solver/foundation/parallel.h"
 #include "solver/neighbours/space.h"
 
 #include <array>
 #include <cstdint>
+#include <mutex>
 #include <span>
 
 namespace plumbline {
@@ -19,14 +21,11 @@ template <int Dim> class CellFrame {
 public:
     CellFrame() = default;
 
-    static CellFrame around(std::span<const Vec<Dim>> points, double radius) {
+    template <class Real>
+    static CellFrame around(std::span<const VecOf<Real, Dim>> points, double radius) {
         CellFrame frame;
         if (points.empty()) return frame;
-        frame.low_ = frame.high_ = points.front();
-        for (const Vec<Dim>& x : points) {
-            frame.low_ = frame.low_.cwiseMin(x);
-            frame.high_ = frame.high_.cwiseMax(x);
-        }
+        frame.enclose(points);
         for (int axis = 0; axis < Dim; ++axis) {
             const double edge = frame.high_[axis] - frame.low_[axis];
             const double width = std::max(radius * (1.0 + 0x1p-18), edge * 0x1p-31);
@@ -35,12 +34,19 @@ public:
         }
         return frame;
     }
-    static CellFrame filling(const PeriodicBox<Dim>& box, double radius) {
+    static CellFrame around(const Points<Dim>& points, double radius) {
+        return around(std::span<const Vec<Dim>>(points), radius);
+    }
+    /// `rounding` is that of the coordinates' precision, 2⁻⁵³ or 2⁻²⁴: in a periodic box differences
+    /// are rounded as large numbers, up to the edge, before they become small.
+    static CellFrame filling(const PeriodicBox<Dim>& box, double radius,
+                             double rounding = 0x1p-53) {
         CellFrame frame;
         frame.low_ = box.low();
         frame.high_ = box.high();
         for (int axis = 0; axis < Dim; ++axis) {
-            const double fit = std::floor(box.edge()[axis] / (radius * (1.0 + 0x1p-18)));
+            const double width = radius * (1.0 + 0x1p-18) + 4.0 * rounding * box.edge()[axis];
+            const double fit = std::floor(box.edge()[axis] / width);
             frame.cells_[axis] = static_cast<std::uint32_t>(std::clamp(fit, 1.0, 0x1p31));
             frame.inverse_width_[axis] = frame.cells_[axis] / box.edge()[axis];
         }
@@ -55,7 +61,7 @@ public:
             static_cast<std::uint32_t>((inside - low_[axis]) * inverse_width_[axis]);
         return std::min(number, cells_[axis] - 1);
     }
-    std::array<std::uint32_t, Dim> cell(const Vec<Dim>& x) const {
+    template <class Real> std::array<std::uint32_t, Dim> cell(const VecOf<Real, Dim>& x) const {
         std::array<std::uint32_t, Dim> all;
         for (int axis = 0; axis < Dim; ++axis) all[axis] = cell(x[axis], axis);
         return all;
@@ -83,6 +89,23 @@ public:
     }
 
 private:
+    template <class Real> void enclose(std::span<const VecOf<Real, Dim>> points) {
+        std::mutex mutex;
+        VecOf<Real, Dim> low = points.front(), high = low;
+        parallel_for_parts(points.size(), [&](std::size_t first, std::size_t last) {
+            VecOf<Real, Dim> part_low = points[first], part_high = part_low;
+            for (std::size_t i = first + 1; i < last; ++i) {
+                part_low = part_low.cwiseMin(points[i]);
+                part_high = part_high.cwiseMax(points[i]);
+            }
+            const std::scoped_lock lock(mutex);
+            low = low.cwiseMin(part_low);
+            high = high.cwiseMax(part_high);
+        });
+        low_ = low.template cast<double>();
+        high_ = high.template cast<double>();
+    }
+
     Vec<Dim> low_ = Vec<Dim>::Zero(), high_ = Vec<Dim>::Zero();
     Vec<Dim> inverse_width_ = Vec<Dim>::Zero();
     std::array<std::uint32_t, Dim> cells_ = [] {

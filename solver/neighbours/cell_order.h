@@ -11,15 +11,17 @@ namespace plumbline {
 /// Points sorted by cell: row after row, in a row by column, in a cell as given. Only cells and rows
 /// that hold points are kept. O(n): by counting if the grid has at most a few cells per point, else
 /// digit by digit.
-template <int Dim> class CellOrder {
-public:
-    /// How many elements beyond its end each array may be read, for copies in blocks of 64 bytes.
-    template <class T> static constexpr std::size_t room_beyond = 64 / sizeof(T);
+template <int Dim, class Real = double> class CellOrder {
+    using Given = std::span<const VecOf<Real, Dim>>;
 
-    void sort(const CellFrame<Dim>& frame, std::span<const Vec<Dim>> points) {
+public:
+    /// How many elements beyond its end each array may be read, for copies in blocks.
+    static constexpr std::size_t room_beyond = 16;
+
+    void sort(const CellFrame<Dim>& frame, Given points) {
         const std::size_t n = points.size();
         size_ = n;
-        order_.resize(n + room_beyond<Index>);
+        order_.resize(n + room_beyond);
         clear_cells();
         constexpr double cells_per_point = 4.0;
         if (frame.cell_count() <= cells_per_point * static_cast<double>(n) + 64.0)
@@ -27,14 +29,15 @@ public:
         else
             sort_by_digits(frame, points);
         close_cells();
-        for (int axis = 0; axis < Dim; ++axis) x_[axis].resize(n + room_beyond<double>);
-        parallel_for(n, [&](std::size_t k) {
-            for (int axis = 0; axis < Dim; ++axis) x_[axis][k] = points[order_[k]][axis];
+        for (int axis = 0; axis < Dim; ++axis) x_[axis].resize(n + room_beyond);
+        parallel_for_parts(n, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k)
+                for (int axis = 0; axis < Dim; ++axis) x_[axis][k] = points[order_[k]][axis];
         });
     }
 
     /// Whether these are the points that were sorted, in the order they were given.
-    bool holds(std::span<const Vec<Dim>> points) const {
+    bool holds(Given points) const {
         if (points.size() != size_) return false;
         for (std::size_t k = 0; k < points.size(); ++k)
             for (int axis = 0; axis < Dim; ++axis)
@@ -45,9 +48,9 @@ public:
     std::size_t size() const { return size_; }
     Index order(std::size_t k) const { return order_[k]; }
     const Index* order() const { return order_.data(); }
-    const double* x(int axis) const { return x_[axis].data(); }
-    Vec<Dim> position(std::size_t k) const {
-        Vec<Dim> p;
+    const Real* x(int axis) const { return x_[axis].data(); }
+    VecOf<Real, Dim> position(std::size_t k) const {
+        VecOf<Real, Dim> p;
         for (int axis = 0; axis < Dim; ++axis) p[axis] = x_[axis][k];
         return p;
     }
@@ -61,9 +64,14 @@ public:
     std::uint64_t row(std::size_t r) const { return row_[r]; }
     /// The cells of a row are first_cell(r) .. first_cell(r + 1).
     Index first_cell(std::size_t r) const { return first_cell_[r]; }
-    /// The first row whose number is not below `number`, or rows().
-    std::size_t row_from(std::uint64_t number) const {
-        return static_cast<std::size_t>(std::ranges::lower_bound(row_, number) - row_.begin());
+    /// The first row whose number is not below `number`, or rows(); found in O(log distance) from
+    /// `hint`, a row not above it.
+    std::size_t row_from(std::uint64_t number, std::size_t hint = 0) const {
+        std::size_t step = 1, low = hint;
+        while (low + step < rows() && row_[low + step] < number) low += step, step *= 2;
+        const auto first = row_.begin() + static_cast<std::ptrdiff_t>(low);
+        const auto last = row_.begin() + static_cast<std::ptrdiff_t>(std::min(low + step, rows()));
+        return static_cast<std::size_t>(std::lower_bound(first, last, number) - row_.begin());
     }
     /// The row that holds a cell.
     std::size_t row_of(std::size_t cell) const {
@@ -72,10 +80,13 @@ public:
                1;
     }
 
+    /// Bytes held, those kept for the next sort included.
     std::size_t memory() const {
-        return size() * (sizeof(Index) + Dim * sizeof(double)) +
-               cells() * (sizeof(Index) + sizeof(std::uint32_t)) +
-               rows() * (sizeof(std::uint64_t) + sizeof(Index));
+        const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
+        std::size_t all = bytes(order_) + bytes(column_) + bytes(first_point_) + bytes(row_) +
+                          bytes(first_cell_) + bytes(key_) + bytes(start_);
+        for (const auto& coordinate : x_) all += bytes(coordinate);
+        return all;
     }
 
 private:
@@ -98,13 +109,15 @@ private:
         first_cell_.push_back(static_cast<Index>(column_.size()));
     }
 
-    void sort_by_counting(const CellFrame<Dim>& frame, std::span<const Vec<Dim>> points) {
+    void sort_by_counting(const CellFrame<Dim>& frame, Given points) {
         const std::size_t n = points.size();
         const std::uint32_t columns = frame.cells(0);
         key_.resize(n);
-        parallel_for(n, [&](std::size_t i) {
-            const auto cell = frame.cell(points[i]);
-            key_[i] = static_cast<Index>(frame.row(cell)) * columns + cell[0];
+        parallel_for_parts(n, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                const auto cell = frame.cell(points[i]);
+                key_[i] = static_cast<Index>(frame.row(cell)) * columns + cell[0];
+            }
         });
         start_.assign(static_cast<std::size_t>(frame.cell_count()) + 1, 0);
         for (const Index key : key_) ++start_[key + 1];
@@ -122,7 +135,7 @@ private:
     };
 
     /// Stable counting sorts by 11 bits at a time, from the lowest digit of the first axis.
-    void sort_by_digits(const CellFrame<Dim>& frame, std::span<const Vec<Dim>> points) {
+    void sort_by_digits(const CellFrame<Dim>& frame, Given points) {
         constexpr int digit = 11;
         const std::size_t n = points.size();
         std::vector<Placed> placed(n), sorted(n);
@@ -149,13 +162,13 @@ private:
     }
 
     std::size_t size_ = 0;
-    std::vector<Index> order_;                // point k in this order was given as order_[k]
-    std::array<std::vector<double>, Dim> x_;  // coordinates in this order
-    std::vector<std::uint32_t> column_;       // of each cell
-    std::vector<Index> first_point_;          // of each cell, and the end
-    std::vector<std::uint64_t> row_;          // ascending
-    std::vector<Index> first_cell_;           // of each row, and the end
-    std::vector<Index> key_, start_;          // kept: new memory costs more than the sort
+    std::vector<Index> order_;              // point k in this order was given as order_[k]
+    std::array<std::vector<Real>, Dim> x_;  // coordinates in this order
+    std::vector<std::uint32_t> column_;     // of each cell
+    std::vector<Index> first_point_;        // of each cell, and the end
+    std::vector<std::uint64_t> row_;        // ascending
+    std::vector<Index> first_cell_;         // of each row, and the end
+    std::vector<Index> key_, start_;        // kept: new memory costs more than the sort
 };
 
 }  // namespace plumbline

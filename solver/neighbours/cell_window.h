@@ -5,76 +5,109 @@
 
 namespace plumbline {
 
-/// The block of cells within `reach` of one cell, as runs of cells in the rows that the block crosses.
-/// It is moved from cell to cell; from one to the next in a row each run moves on by a few cells.
-template <int Dim, bool Wraps> class CellWindow {
-public:
-    CellWindow(const CellFrame<Dim>& frame, const CellOrder<Dim>& points)
-        : frame_{frame}, points_{points} {}
+/// The block of cells within `reach` of one cell, or of a few in a row, as runs of cells in the rows
+/// that the block crosses. It is moved from cell to cell; from one to the next in a row each run moves on by a few cells.
+template <int Dim, bool Wraps, class Real = double> class CellWindow {
+    using Order = CellOrder<Dim, Real>;
 
-    void move_to(std::uint64_t row, std::uint32_t column, std::int64_t reach) {
+public:
+    CellWindow(const CellFrame<Dim>& frame, const Order& points) : frame_{frame}, points_{points} {}
+
+    /// The block around the columns first_column .. last_column of a row.
+    void move_to(std::uint64_t row, std::uint32_t first_column, std::uint32_t last_column,
+                 std::int64_t reach) {
         if (row != row_ || reach != reach_) enter_rows(row, reach);
-        const std::int64_t cells = frame_.cells(0), first = column - reach, last = column + reach;
+        const std::int64_t cells = frame_.cells(0);
+        const std::int64_t first = first_column - reach, last = last_column + reach;
         if (Wraps && last - first + 1 >= cells) return move_runs(0, cells - 1, 0, -1);
         if (Wraps && first < 0) return move_runs(0, last, first + cells, cells - 1);
         if (Wraps && last >= cells) return move_runs(0, last - cells, first, cells - 1);
         move_runs(first, last, 0, -1);
     }
 
-    /// How many points the block holds.
-    std::size_t size() const {
-        std::size_t n = 0;
-        for (const Run& run : runs_) n += run.last_point(points_) - run.first_point(points_);
-        return n;
-    }
-    void gather_positions(Candidates<Dim>& near) const {
-        near.resize(size());
-        for (int axis = 0; axis < Dim; ++axis) copy_runs(points_.x(axis), near.x(axis));
+    /// All points of the block.
+    void gather(Candidates<Dim, Real>& near) const {
+        near.resize(points_in_block(0));
+        std::size_t to = 0;
+        for (const Run& run : runs_) to = copy(run.points(points_, 0), near, to);
         near.close();
     }
-    void gather_ids(Candidates<Dim>& near) const {
-        near.resize(size());
-        copy_runs(points_.order(), near.id());
+    /// Of the points of the block those from `first` on, in the order of the cells; `first` and what
+    /// follows it in its row come first.
+    void gather_from(Index first, Candidates<Dim, Real>& near) const {
+        near.resize(points_in_block(first));
+        std::size_t to = 0;
+        for (const bool own : {true, false})
+            for (const Run& run : runs_) {
+                const Span points = run.points(points_, first);
+                if ((points.first == first && points.last > first) == own)
+                    to = copy(points, near, to);
+            }
+        near.close();
     }
 
 private:
+    struct Span {
+        Index first, last;
+    };
+
     /// The cells begin .. end of the row row_begin .. row_end; moving keeps the cells already found.
     struct Run {
         Index row_begin, row_end;
         Index begin = row_begin, end = row_begin;
 
-        void move_to(const CellOrder<Dim>& points, std::int64_t first, std::int64_t last) {
+        void move_to(const Order& points, std::int64_t first, std::int64_t last) {
             begin = from(points, begin, first);
             end = from(points, std::max(begin, end), last + 1);
         }
-        Index first_point(const CellOrder<Dim>& points) const { return points.first_point(begin); }
-        Index last_point(const CellOrder<Dim>& points) const { return points.first_point(end); }
+        /// The points of the run that are not before `from`.
+        Span points(const Order& points, Index from) const {
+            const Index last = points.first_point(end);
+            return {std::min(std::max(points.first_point(begin), from), last), last};
+        }
 
     private:
         /// The first cell of the row whose column is not below `column`, looked for from `cell` on.
-        Index from(const CellOrder<Dim>& points, Index cell, std::int64_t column) const {
+        Index from(const Order& points, Index cell, std::int64_t column) const {
             while (cell > row_begin && points.column(cell - 1) >= column) --cell;
             while (cell < row_end && points.column(cell) < column) ++cell;
             return cell;
         }
     };
 
-    /// Runs are short, so they are copied in whole blocks: what is copied beyond the end of a run is
-    /// overwritten by the next one, and both arrays have room for a block more.
-    template <class T> void copy_runs(const T* from, T* to) const {
-        constexpr std::size_t block = CellOrder<Dim>::template room_beyond<T>;
+    std::size_t points_in_block(Index from) const {
+        std::size_t n = 0;
         for (const Run& run : runs_) {
-            const T* source = from + run.first_point(points_);
-            const std::size_t n = run.last_point(points_) - run.first_point(points_);
-            for (std::size_t k = 0; k < n; k += block) std::copy_n(source + k, block, to + k);
-            to += n;
+            const Span points = run.points(points_, from);
+            n += points.last - points.first;
         }
+        return n;
+    }
+    /// Copies points to the candidates from `to` on; returns where they end. Runs are short, so they
+    /// are copied in whole blocks: what is copied beyond the end of a run is overwritten by the next
+    /// one, and all arrays have room for a block more.
+    std::size_t copy(Span points, Candidates<Dim, Real>& near, std::size_t to) const {
+        constexpr std::size_t block = Order::room_beyond;
+        const std::size_t n = points.last - points.first;
+        for (std::size_t k = 0; k < n; k += block) {
+            for (int axis = 0; axis < Dim; ++axis)
+                copy_block(points_.x(axis) + points.first + k, near.x(axis) + to + k);
+            copy_block(points_.order() + points.first + k, near.id() + to + k);
+        }
+        return to + n;
+    }
+    /// As vectors of up to 64 bytes, each one instruction.
+    template <class T> static void copy_block(const T* from, T* to) {
+        constexpr std::size_t part = std::min(Order::room_beyond, 64 / sizeof(T));
+        for (std::size_t k = 0; k < Order::room_beyond; k += part)
+            std::copy_n(from + k, part, to + k);
     }
 
     void enter_rows(std::uint64_t row, std::int64_t reach) {
         row_ = row;
         reach_ = reach;
         runs_.clear();
+        hint_used_ = 0;
         add_rows<Dim - 1>(row, 0, reach);
     }
 
@@ -100,7 +133,11 @@ private:
     }
 
     void add_run(std::uint64_t row) {
-        const std::size_t r = points_.row_from(row);
+        // The windows of one row after the other look for rows that also follow one another.
+        if (hint_used_ == hints_.size()) hints_.push_back(0);
+        std::size_t& hint = hints_[hint_used_++];
+        if (hint >= points_.rows() || points_.row(hint) > row) hint = 0;
+        const std::size_t r = hint = points_.row_from(row, hint);
         if (r == points_.rows() || points_.row(r) != row) return;
         const Run run{points_.first_cell(r), points_.first_cell(r + 1)};
         runs_.push_back(run);
@@ -119,8 +156,10 @@ private:
     }
 
     const CellFrame<Dim>& frame_;
-    const CellOrder<Dim>& points_;
+    const Order& points_;
     std::vector<Run> runs_;
+    std::vector<std::size_t> hints_;
+    std::size_t hint_used_ = 0;
     std::uint64_t row_ = ~std::uint64_t{0};
     std::int64_t reach_ = 0;
 };

@@ -9,6 +9,9 @@
 
 namespace plumbline {
 
+/// A point in the precision in which distances are decided.
+template <class Real, int Dim> using VecOf = Eigen::Matrix<Real, Dim, 1>;
+
 /// Where points live: how far apart two coordinates are. A search is a template over it.
 /// `difference` is the signed distance along one axis; `gap` the smallest |difference| between x and
 /// any coordinate in [low, high]. Rounding is monotonic, so the computed gap never exceeds the computed
@@ -16,10 +19,11 @@ namespace plumbline {
 template <int Dim> struct OpenSpace {
     static constexpr bool is_periodic = false;
 
-    double difference(double a, double b, int) const { return a - b; }
+    template <class Real> Real difference(Real a, Real b, int) const { return a - b; }
     double gap(double x, double low, double high, int) const {
         return std::max({low - x, x - high, 0.0});
     }
+    bool holds(double, int) const { return true; }
     void check_coordinate(double, int) const {}
     void check_radius(double) const {}
 };
@@ -45,9 +49,9 @@ public:
     const Vec<Dim>& high() const { return high_; }
     const Vec<Dim>& edge() const { return edge_; }
 
-    double difference(double a, double b, int axis) const {
-        const double d = a - b, edge = edge_[axis];
-        return d > 0.5 * edge ? d - edge : d < -0.5 * edge ? d + edge : d;
+    template <class Real> Real difference(Real a, Real b, int axis) const {
+        const Real d = a - b, edge = static_cast<Real>(edge_[axis]), half = Real(0.5) * edge;
+        return d > half ? d - edge : d < -half ? d + edge : d;
     }
     double gap(double x, double low, double high, int axis) const {
         const double direct = std::max({low - x, x - high, 0.0});
@@ -63,9 +67,10 @@ public:
         }
         return image;
     }
+    bool holds(double x, int axis) const { return low_[axis] <= x && x <= high_[axis]; }
     /// Throws InvalidInput for a coordinate outside of the box.
     void check_coordinate(double x, int axis) const {
-        if (!(low_[axis] <= x && x <= high_[axis]))
+        if (!holds(x, axis))
             throw InvalidInput("expected a coordinate inside the periodic box [" +
                                std::to_string(low_[axis]) + ", " + std::to_string(high_[axis]) +
                                "] (PeriodicBox::wrap moves it there), found " + std::to_string(x));
@@ -87,12 +92,14 @@ private:
 /// |‖a − b‖ / radius − 1| < (Dim + 4) 2⁻⁵⁴ (4e-16 in space); where differences and squares are exact, as on a
 /// lattice of small multiples of a power of two, ties at exactly the radius are decided rightly too.
 /// In a periodic box the first rounding is of the box: add Dim 2⁻⁵³ edge / radius.
-template <class Space, int Dim>
-double squared_distance(const Space& space, const Vec<Dim>& a, const Vec<Dim>& b) {
-    const double first = space.difference(a[0], b[0], 0);
-    double total = first * first;
+/// In single precision positions, radius and edges are given in it, all is computed in it, and the
+/// powers of two are 2⁻²⁵ and 2⁻²⁴.
+template <class Space, class Real, int Dim>
+Real squared_distance(const Space& space, const VecOf<Real, Dim>& a, const VecOf<Real, Dim>& b) {
+    const Real first = space.difference(a[0], b[0], 0);
+    Real total = first * first;
     for (int axis = 1; axis < Dim; ++axis) {
-        const double d = space.difference(a[axis], b[axis], axis);
+        const Real d = space.difference(a[axis], b[axis], axis);
         total += d * d;
     }
     return total;

@@ -1,36 +1,28 @@
 #include "solver/neighbours/candidates.h"
 
-#include "solver/particles/uniform_random.h"
-
 #include <catch2/catch.hpp>
 
 using namespace plumbline;
 
-TEST_CASE("candidates: the plain test agrees with squared_distance, also in a periodic box") {
-    const Points<3> points = uniform_random(unit_box<3>(), 100, 1);
-    const PeriodicBox<3> box(Vec<3>::Zero(), Vec<3>::Ones());
-    for (const std::size_t n : {0, 1, 63, 64, 65, 100}) {
-        Candidates<3> near;
+TEST_CASE("candidates: a test knows arrays, centre and box; what follows the last is at infinity") {
+    const PeriodicBox<2> box({-1, -1}, {1, 3});
+    Candidates<2, float> near;
+    for (const std::size_t n : {0, 1, 15, 16, 17, 40, 3}) {
         near.resize(n);
-        for (std::size_t k = 0; k < n; ++k)
-            for (int a = 0; a < 3; ++a) near.x(a)[k] = points[k][a];
+        for (std::size_t k = 0; k < n; ++k) {
+            near.x(0)[k] = static_cast<float>(k);
+            near.x(1)[k] = -1.0f;
+            near.id()[k] = static_cast<Index>(10 * k);
+        }
         near.close();
-        REQUIRE(near.words() == (n + 63) / 64);
-        const auto check = [&](const auto& space) {
-            std::vector<std::uint64_t> within(near.words());
-            const Vec<3> q(0.1, 0.5, 0.9);
-            std::size_t expected = 0;
-            bool same = true;
-            const std::size_t found = test_candidates(space, q, 0.16, near, within.data());
-            for (std::size_t k = 0; k < n; ++k) {
-                const bool closer = squared_distance(space, q, points[k]) < 0.16;
-                expected += closer ? 1 : 0;
-                same &= closer == ((within[k / 64] >> (k % 64) & 1) != 0);
-            }
-            CHECK(same);
-            CHECK(found == expected);
-        };
-        check(OpenSpace<3>{});
-        check(box);
+        const auto test = near.near(box, VecOf<float, 2>(0.5f, 0.25f), 4.0f, n / 2);
+        CHECK(test.size == n);
+        CHECK(test.from == n / 2);
+        CHECK(test.centre[1] == 0.25f);
+        CHECK(test.edge[1] == 4.0f);
+        CHECK(test.squared_radius == 4.0f);
+        CHECK(test.id == near.id());
+        for (std::size_t k = 0; k < n; ++k) CHECK(test.x[0][k] == static_cast<float>(k));
+        for (std::size_t k = n; k % candidates_per_step != 0; ++k) CHECK(std::isinf(test.x[0][k]));
     }
 }

@@ -19,9 +19,8 @@ template <bool Wraps> void check_windows(const CellFrame<3>& frame, const Points
     for (const std::int64_t reach : {1, 2, 1, 9}) {
         for (std::size_t r = 0; r < order.rows(); ++r)
             for (Index c = order.first_cell(r); c < order.first_cell(r + 1); ++c) {
-                window.move_to(order.row(r), order.column(c), reach);
-                window.gather_positions(near);
-                window.gather_ids(near);
+                window.move_to(order.row(r), order.column(c), order.column(c), reach);
+                window.gather(near);
                 std::multiset<Index> found(near.id(), near.id() + near.size()), expected;
                 const auto home = frame.cell(points[order.order(order.first_point(c))]);
                 for (Index i = 0; i < points.size(); ++i) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace plumbline {
+
+/// Instruction sets that the distance test is written for; all give the same lists.
+enum class Instructions { plain, avx2, avx512 };
+
+/// The best that this processor has, found at run time.
+Instructions best_instructions();
+
+/// Candidates are tested so many at a time.
+inline constexpr std::size_t candidates_per_step = 16;
+
+/// Which candidates are near `centre`: the squared distance, by the expression of squared_distance
+/// (space.h) in the precision Real, is below `squared_radius`. Plain data, since files compiled for
+/// other instruction sets must share no inline function with the rest of the program.
+template <class Real> struct NearTest {
+    const Real* x[3];         // coordinates of the candidates, axis by axis
+    const std::uint32_t* id;  // what is listed for each
+    /// Candidates from .. size are tested; arrays are readable up to a whole step, and
+    /// coordinates beyond `size` are infinite.
+    std::size_t from, size;
+    Real centre[3];
+    Real squared_radius;
+    Real edge[3];  // of the periodic box
+};
+
+/// All return how many candidates are near. `out` needs room for as many as were tested and a step
+/// more; ids are written to it in the order of the candidates.
+template <class Real> struct NearFunctions {
+    using Bits = std::uint16_t;  // one bit for each candidate of a step
+    /// Writes the ids of those that are near.
+    std::size_t (*select)(const NearTest<Real>& test, std::uint32_t* out);
+    /// Writes one word of bits for each step from 0 to size, unless `bits` is null.
+    std::size_t (*mark)(const NearTest<Real>& test, Bits* bits);
+    /// Writes the ids of those that were marked.
+    std::size_t (*take)(const NearTest<Real>& test, const Bits* bits, std::uint32_t* out);
+};
+
+/// Those for points in 1, 2 or 3 dimensions, in open space or in a periodic box. The processor must
+/// have the instructions.
+template <class Real>
+NearFunctions<Real> near_functions(Instructions instructions, int dim, bool periodic);
+
+}  // namespace plumbline

@@ -1,0 +1,78 @@
+#include "solver/neighbours/near_points_lanes.h"
+
+#include "verification/framework/registry.h"
+#include "verification/neighbours/near_tests.h"
+
+namespace {
+using namespace plumbline;
+using namespace verification;
+using Bits = NearFunctions<double>::Bits;
+
+struct Found {
+    std::vector<Index> selected, taken;
+    std::vector<Bits> bits;
+    std::size_t marked = 0;
+    bool operator==(const Found&) const = default;
+};
+template <class Real> Found find(const NearFunctions<Real>& near, const NearTest<Real>& test) {
+    Found found;
+    found.selected.resize(test.size + candidates_per_step);
+    found.taken.resize(test.size + candidates_per_step);
+    found.bits.resize((test.size + candidates_per_step - 1) / candidates_per_step);
+    found.selected.resize(near.select(test, found.selected.data()));
+    found.marked = near.mark(test, found.bits.data());
+    found.taken.resize(near.take(test, found.bits.data(), found.taken.data()));
+    return found;
+}
+
+/// Sets of 0 .. 99 candidates of which the vector form finds others than the plain form.
+template <class Real, int Dim, class Space>
+double differences(const Space& space, Instructions instructions, Real radius_factor) {
+    const auto plain = near_functions<Real>(Instructions::plain, Dim, Space::is_periodic);
+    const auto vector = near_functions<Real>(instructions, Dim, Space::is_periodic);
+    double different = 0.0;
+    for (std::size_t n = 0; n < 100; ++n) {
+        NearCase<Real, Dim> drawn(n);
+        const Found expected = find(plain, drawn.test(space, 0));
+        const Found later = find(plain, drawn.test(space, n / 3));
+        drawn.squared_radius *= radius_factor;
+        const Found found = find(vector, drawn.test(space, 0));
+        different += found != expected || found.selected != found.taken ||
+                     found.selected.size() != found.marked;
+        different += find(vector, drawn.test(space, n / 3)).selected != later.selected;
+    }
+    return different;
+}
+template <class Real, int Dim> double in_both_spaces(Instructions instructions, Real factor) {
+    const PeriodicBox<Dim> box(Vec<Dim>::Constant(-0.8), Vec<Dim>::Constant(0.8));
+    return differences<Real, Dim>(OpenSpace<Dim>{}, instructions, factor) +
+           differences<Real, Dim>(box, instructions, factor);
+}
+/// Of all instruction sets up to the best that this processor has. `wider` in units of rounding.
+double differences_from_plain(int wider) {
+    const double factor = 1.0 + wider * 0x1p-50;
+    const float float_factor = 1.0f + static_cast<float>(wider) * 0x1p-21f;
+    double different = 0.0;
+    for (const auto set : {Instructions::plain, Instructions::avx2, Instructions::avx512}) {
+        if (set > best_instructions()) continue;
+        different += in_both_spaces<double, 1>(set, factor) +
+                     in_both_spaces<double, 2>(set, factor) +
+                     in_both_spaces<double, 3>(set, factor);
+        different += in_both_spaces<float, 1>(set, float_factor) +
+                     in_both_spaces<float, 2>(set, float_factor) +
+                     in_both_spaces<float, 3>(set, float_factor);
+    }
+    return different;
+}
+
+const Register claims_of_near_points_lanes{
+    Claim{.id = "near_points.vector_instructions_equal_the_plain_form",
+          .source = {Paper::plumbline, "docstring of Instructions"},
+          .says =
+              "AVX2 and AVX-512 select, mark and take the candidates of the plain form, in single "
+              "and double precision, 1D, 2D and 3D, open space and periodic box",
+          .bound = at_most(0.0, "the same operations in the same order, without contraction"),
+          .measure = [] { return differences_from_plain(0); },
+          .sabotaged = [] { return differences_from_plain(1); }},
+};
+}  // namespace
