@@ -2,9 +2,7 @@
 
 #include "solver/neighbours/cell_order.h"
 #include "solver/neighbours/cell_window.h"
-#include "solver/neighbours/fill_lists.h"
-#include "solver/neighbours/packed_lists.h"
-#include "solver/neighbours/queries.h"
+#include "solver/neighbours/grouped_search.h"
 
 namespace plumbline {
 
@@ -13,25 +11,27 @@ namespace plumbline {
 /// are kept, so memory is O(n) however sparse the points are. After adams2009 Sec. 5.2, whose hash
 /// table is replaced by the sorted cells.
 ///
-/// Lists come in two forms: NeighbourLists, ascending, and PackedLists, as found, which takes about
-/// half the time. As found means: by row of cells, in a row by column, in a cell as given; in a
-/// periodic box a row may begin in its middle.
+/// The order of its PackedLists is: by row of cells, in a row by column, in a cell as given; in a
+/// periodic box a row may begin in its middle. For another radius than that of the grid a smaller one tests
+/// more candidates than a grid built for it, a larger one visits more cells.
 /// With Real = float positions are given, and distances decided, in single precision: lists are those
 /// of BruteForce<Dim, Space, float>.
 template <int Dim, class Space = OpenSpace<Dim>, class Real = double>
-class CellGrid : public Queries<CellGrid<Dim, Space, Real>, Dim, Real> {
+class CellGrid
+    : public GroupedSearch<CellGrid<Dim, Space, Real>, CellOrder<Dim, Real>, Dim, Space, Real> {
     using Given = std::span<const VecOf<Real, Dim>>;
+    using Order = CellOrder<Dim, Real>;
+    using Base = GroupedSearch<CellGrid, Order, Dim, Space, Real>;
+    friend Base;
 
 public:
     static constexpr std::string_view name = "cell_grid";
 
     explicit CellGrid(Space space = {}, Instructions instructions = best_instructions())
-        : space_{space}, near_{near_functions<Real>(instructions, Dim, Space::is_periodic)} {}
+        : Base{space, instructions} {}
 
     void build(Given points, double radius) {
-        check_radius<Real>(space_, radius);
-        check_points(space_, points);
-        radius_ = radius;
+        this->check(points, radius);
         sort(points, radius);
         // Narrower cells follow the ball more closely; they pay where even these hold many points.
         const double points_per_cell =
@@ -40,63 +40,11 @@ public:
         if (points_per_cell > crowded) sort(points, radius / 2.0);
     }
 
-    /// Queries that are the points themselves are not sorted again.
-    void find(Given queries, Radii radii, NeighbourLists& lists) const {
-        with_sorted(queries, [&](const Order& sorted) { fill(sorted, radii, lists); });
-    }
-    void find(Given queries, Radii radii, PackedLists& lists) const {
-        with_sorted(queries, [&](const Order& sorted) { pack(sorted, radii, Part::all, lists); });
-    }
-
-    /// The neighbours of all points as built: row i is that of point i.
-    void pack(PackedLists& lists) const { pack(points_, Radii(radius_), Part::all, lists); }
-    /// The same with another radius than that of `build`, or one for each point. A smaller one tests
-    /// more candidates than a grid built for it, a larger one more cells; lists do not depend on it.
-    void pack(double radius, PackedLists& lists) const {
-        check_radius<Real>(space_, radius);
-        pack(points_, Radii(radius), Part::all, lists);
-    }
-    void pack(std::span<const double> radii, PackedLists& lists) const {
-        this->check_radii(radii, points_.size());
-        pack(points_, Radii(radii), Part::all, lists);
-    }
-    /// Each pair of two points once, for loops that treat both at a time: in the row of the one that
-    /// comes first in the order of the cells (point_order()), so i < j if points are given in it.
-    void pack_pairs(PackedLists& lists) const { pack(points_, Radii(radius_), Part::later, lists); }
-    /// How many neighbours each point has, itself included.
-    void count(std::vector<Index>& counts) const {
-        counts.resize(points_.size());
-        search(points_, Radii(radius_), Part::all, [&](std::size_t) {
-            return [&](std::size_t k, const NearTest<Real>& test) {
-                counts[points_.order(k)] = static_cast<Index>(near_.mark(test, nullptr));
-            };
-        });
-    }
-    /// Calls visit(i, neighbours) for each point, in parallel and in no order, without storing lists;
-    /// `neighbours` is the row of PackedLists, and is gone when visit returns.
-    template <class Visit> void for_each_row(Visit visit) const {
-        search(points_, Radii(radius_), Part::all, [&](std::size_t) {
-            return
-                [&, row = std::vector<Index>()](std::size_t k, const NearTest<Real>& test) mutable {
-                    row.resize(std::max(row.size(), test.size + candidates_per_step));
-                    const std::size_t n = near_.select(test, row.data());
-                    visit(points_.order(k), std::span<const Index>(row.data(), n));
-                };
-        });
-    }
-
-    /// The points by cell: the k-th was given as point point_order()[k]. Arrays in this order make
-    /// loops over neighbours fast.
-    std::span<const Index> point_order() const { return {points_.order(), points_.size()}; }
-
-    const Space& space() const { return space_; }
-    double radius() const { return radius_; }
     std::size_t memory() const { return points_.memory(); }
 
 private:
-    using Order = CellOrder<Dim, Real>;
     using Window = CellWindow<Dim, Space::is_periodic, Real>;
-    enum class Part { all, later };  // neighbours: all, or those later in the order of the cells
+    using Base::space_;
 
     void sort(Given points, double cell_width) {
         constexpr double rounding = sizeof(Real) == 8 ? 0x1p-53 : 0x1p-24;
@@ -107,91 +55,18 @@ private:
         points_.sort(frame_, points);
     }
 
-    template <class Use> void with_sorted(Given queries, Use use) const {
-        if (points_.holds(queries)) return use(points_);
-        Order sorted;
-        sorted.sort(frame_, queries);
-        use(sorted);
+    const Order& points() const { return points_; }
+    Order sorted(Given queries) const {
+        Order order;
+        order.sort(frame_, queries);
+        return order;
     }
 
-    void pack(const Order& queries, Radii radii, Part part, PackedLists& lists) const {
-        lists.restart(queries.size());
-        search(queries, radii, part, [&](std::size_t) {
-            return [&, writer = std::make_unique<PackedLists::Writer>(lists)](
-                       std::size_t k, const NearTest<Real>& test) {
-                Index* row = writer->room(test.size - test.from + candidates_per_step);
-                const std::size_t n = near_.select(test, row);
-                writer->add(queries.order(k), n);
-                prefetch_for_writing(row + n, n);
-            };
-        });
-    }
-    /// Rows are written faster than the processor expects: it is told where the next ones will be.
-    static void prefetch_for_writing(const Index* row, std::size_t n) {
-        constexpr std::size_t line = 64 / sizeof(Index), ahead = 16 * line;
-        for (std::size_t k = 0; k < n + line; k += line) __builtin_prefetch(row + ahead + k, 1);
-    }
-
-    /// Tests first, then writes each row where it belongs; between the two, one bit is kept for each
-    /// tested pair, not a second copy of the lists.
-    void fill(const Order& queries, Radii radii, NeighbourLists& lists) const {
-        std::vector<std::vector<std::uint16_t>> marks(blocks_of(queries));
-        lists.offsets.resize(queries.size() + 1);
-        search(queries, radii, Part::all, [&](std::size_t block) {
-            return [&, &bits = marks[block]](std::size_t k, const NearTest<Real>& test) {
-                const std::size_t at = bits.size();
-                bits.resize(at + steps(test));
-                lists.offsets[queries.order(k) + 1] = near_.mark(test, bits.data() + at);
-            };
-        });
-        lay_out(lists);
-        search(queries, radii, Part::all, [&](std::size_t block) {
-            return [&, bits = marks[block].data(), row = std::vector<Index>()](
-                       std::size_t k, const NearTest<Real>& test) mutable {
-                row.resize(std::max(row.size(), test.size + room_to_sort));
-                prefetch_row(queries, k + 8, lists);
-                const std::size_t n = near_.take(test, bits, row.data());
-                bits += steps(test);
-                sort_ascending(row.data(), n,
-                               lists.indices.data() + lists.offsets[queries.order(k)]);
-            };
-        });
-    }
-    static std::size_t steps(const NearTest<Real>& test) {
-        return (test.size + candidates_per_step - 1) / candidates_per_step;
-    }
-    /// Rows are written in the order of the cells, which is no order at all if the queries are not
-    /// sorted: without this, waiting for memory takes longer than the search.
-    static void prefetch_row(const Order& queries, std::size_t k, NeighbourLists& lists) {
-        if (k >= queries.size()) return;
-        const Index i = queries.order(k);
-        constexpr std::size_t line = 64 / sizeof(Index), most = 8 * line;
-        const std::size_t first = lists.offsets[i], last = lists.offsets[i + 1];
-        for (std::size_t at = first; at < std::min(last, first + most); at += line)
-            __builtin_prefetch(lists.indices.data() + at, 1);
-    }
-
-    /// Calls visit(k, test) for the k-th of the sorted queries with the test that tells its neighbours,
-    /// cell after cell. Blocks of cells are visited in parallel, each by a make_visit(block).
-    template <class MakeVisit>
-    void search(const Order& queries, Radii radii, Part part, MakeVisit make_visit) const {
-        parallel_for(
-            blocks_of(queries),
-            [&](std::size_t b) {
-                auto visit = make_visit(b);
-                const std::size_t begin = b * cells_per_block;
-                visit_cells(queries, radii, part, begin,
-                            std::min(queries.cells(), begin + cells_per_block), visit);
-            },
-            1);
-    }
-    static constexpr std::size_t cells_per_block = 64;
-    static std::size_t blocks_of(const Order& queries) {
-        return (queries.cells() + cells_per_block - 1) / cells_per_block;
-    }
     template <class Visit>
-    void visit_cells(const Order& queries, Radii radii, Part part, std::size_t begin,
-                     std::size_t end, Visit& visit) const {
+    void visit_block(std::size_t block, const Order& queries, Radii radii, Part part,
+                     Visit& visit) const {
+        const std::size_t begin = block * Order::cells_per_block;
+        const std::size_t end = std::min(queries.cells(), begin + Order::cells_per_block);
         Window window(frame_, points_);
         Candidates<Dim, Real> near;
         std::size_t row = queries.row_of(begin);
@@ -231,9 +106,6 @@ private:
         return most;
     }
 
-    Space space_;
-    NearFunctions<Real> near_;
-    double radius_ = 0.0;
     CellFrame<Dim> frame_;
     Order points_;
 };

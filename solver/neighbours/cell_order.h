@@ -55,6 +55,10 @@ public:
         return p;
     }
 
+    /// Cells are treated in parallel in blocks of so many.
+    static constexpr std::size_t cells_per_block = 64;
+    std::size_t blocks() const { return (cells() + cells_per_block - 1) / cells_per_block; }
+
     std::size_t cells() const { return column_.size(); }
     std::uint32_t column(std::size_t cell) const { return column_[cell]; }
     /// The points of a cell are first_point(cell) .. first_point(cell + 1).

@@ -23,6 +23,11 @@ template <int Dim> struct OpenSpace {
     double gap(double x, double low, double high, int) const {
         return std::max({low - x, x - high, 0.0});
     }
+    /// The smallest |difference| of any two coordinates in [low, high] and in [other_low, other_high].
+    template <class Real>
+    Real gap(Real low, Real high, Real other_low, Real other_high, int) const {
+        return std::max({other_low - high, low - other_high, Real(0)});
+    }
     bool holds(double, int) const { return true; }
     void check_coordinate(double, int) const {}
     void check_radius(double) const {}
@@ -57,6 +62,12 @@ public:
         const double direct = std::max({low - x, x - high, 0.0});
         const double farthest = std::max(std::abs(x - low), std::abs(x - high));
         return std::min(direct, std::max(edge_[axis] - farthest, 0.0));
+    }
+    template <class Real>
+    Real gap(Real low, Real high, Real other_low, Real other_high, int axis) const {
+        const Real direct = std::max({other_low - high, low - other_high, Real(0)});
+        const Real farthest = std::max(high - other_low, other_high - low);
+        return std::min(direct, std::max(static_cast<Real>(edge_[axis]) - farthest, Real(0)));
     }
     /// The image of x inside the box.
     Vec<Dim> wrap(const Vec<Dim>& x) const {

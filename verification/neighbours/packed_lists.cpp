@@ -1,33 +1,12 @@
 #include "solver/neighbours/packed_lists.h"
 
 #include "verification/framework/registry.h"
-#include "verification/neighbours/clouds.h"
-#include "verification/neighbours/packed_searches.h"
-#include "verification/neighbours/searches.h"
+#include "verification/neighbours/packed_claims.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
 
-/// Adds up what wrong(cloud, points) returns for the points of all clouds in precision Real.
-template <class Real, int Dim, class Wrong> double over_clouds(Index n, Wrong wrong) {
-    double all = 0.0;
-    for (const Cloud<Dim>& cloud : hard_clouds<Dim>(n))
-        all += static_cast<double>(wrong(cloud, in_precision<Real, Dim>(cloud.points)));
-    return all;
-}
-
-template <class Real, int Dim> double wrong_packed(double radius_factor) {
-    return over_clouds<Real, Dim>(700, [&](const auto& cloud, const auto& points) {
-        BruteForce<Dim, OpenSpace<Dim>, Real> oracle;
-        CellGrid<Dim, OpenSpace<Dim>, Real> grid;
-        oracle.build(points, cloud.radius);
-        grid.build(points, cloud.radius * radius_factor);
-        PackedLists lists;
-        grid.pack(lists);
-        return wrong_pairs(ascending(lists), oracle.query(points));
-    });
-}
 template <class Real, int Dim> double wrong_in_box(bool open) {
     const PeriodicBox<Dim> box(Vec<Dim>::Zero(), Vec<Dim>::Ones());
     return over_clouds<Real, Dim>(700, [&](const auto& cloud, auto points) {
@@ -40,25 +19,6 @@ template <class Real, int Dim> double wrong_in_box(bool open) {
         else
             pack(box, points, cloud.radius, lists);
         return wrong_pairs(ascending(lists), oracle.query(points));
-    });
-}
-
-/// Pairs that pack_pairs does not list, lists twice, or should not list. A mistake to be caught: all
-/// neighbours are listed, so each pair twice.
-template <class Space> double wrong_halves(const Space& space, bool both_ways) {
-    return over_clouds<double, 2>(600, [&](const auto& cloud, auto points) {
-        if constexpr (Space::is_periodic)
-            for (auto& x : points) x = space.wrap(x);
-        BruteForce<2, Space> oracle(space);
-        CellGrid<2, Space> grid(space);
-        oracle.build(points, cloud.radius);
-        grid.build(points, cloud.radius);
-        PackedLists halves;
-        if (both_ways)
-            grid.pack(halves);
-        else
-            grid.pack_pairs(halves);
-        return wrong_pairs(completed(halves), oracle.query(points));
     });
 }
 
@@ -142,7 +102,9 @@ template <class Real> double memory_over_least(int searches, bool forget) {
     return static_cast<double>(lists_memory + grid.memory()) / static_cast<double>(least);
 }
 
-const Bound none = at_most(0.0, "decided by the same floating-point expression as brute force");
+template <class Real, int Dim> using Grid = CellGrid<Dim, OpenSpace<Dim>, Real>;
+const PeriodicBox<2> box(Vec<2>::Zero(), Vec<2>::Ones());
+const Bound none = decided_alike();
 const Bound memory_bound = at_most(
     1.5,
     "a point has 12 or 24 bytes of position and 120 of neighbours; beside them 4 for its number, 4 "
@@ -165,8 +127,8 @@ template <class Real, int Dim> Claim packed_claim(const std::string& precision, 
             .says = "0 pairs missing, 0 spurious in the lists as found, in " + precision +
                     " precision, against brute force in that precision, on all hard clouds",
             .bound = none,
-            .measure = [] { return wrong_packed<Real, Dim>(1.0); },
-            .sabotaged = [wider] { return wrong_packed<Real, Dim>(wider); }};
+            .measure = [] { return wrong_packed<Grid<Real, Dim>, Real, Dim>(1.0); },
+            .sabotaged = [wider] { return wrong_packed<Grid<Real, Dim>, Real, Dim>(wider); }};
 }
 template <class Real, int Dim> Claim periodic_claim(const std::string& precision) {
     return {.id = "packed_lists." + precision + "_periodic_equal_brute_force_" +
@@ -191,16 +153,14 @@ const Register claims_of_packed_lists{
           .says = "half lists hold each pair of two different points once: completed by the other "
                   "half and by oneself they are those of brute force",
           .bound = none,
-          .measure = [] { return wrong_halves(OpenSpace<2>{}, false); },
-          .sabotaged = [] { return wrong_halves(OpenSpace<2>{}, true); }},
+          .measure = [] { return wrong_halves<CellGrid<2>>(OpenSpace<2>{}, false); },
+          .sabotaged = [] { return wrong_halves<CellGrid<2>>(OpenSpace<2>{}, true); }},
     Claim{.id = "packed_lists.pairs_once_periodic",
           .source = {Paper::plumbline, "docstring of CellGrid::pack_pairs"},
           .says = "the same in a periodic box",
           .bound = none,
-          .measure =
-              [] { return wrong_halves(PeriodicBox<2>(Vec<2>::Zero(), Vec<2>::Ones()), false); },
-          .sabotaged =
-              [] { return wrong_halves(PeriodicBox<2>(Vec<2>::Zero(), Vec<2>::Ones()), true); }},
+          .measure = [] { return wrong_halves<CellGrid<2, PeriodicBox<2>>>(box, false); },
+          .sabotaged = [] { return wrong_halves<CellGrid<2, PeriodicBox<2>>>(box, true); }},
     Claim{.id = "packed_lists.counts_and_rows_without_lists",
           .source = {Paper::plumbline, "docstring of CellGrid"},
           .says = "count and for_each_row give lengths and rows of the lists",

@@ -4,6 +4,7 @@
 #include "solver/neighbours/cell_grid.h"
 #include "solver/neighbours/hash_grid.h"
 #include "solver/neighbours/kd_tree.h"
+#include "solver/neighbours/leaf_tree.h"
 
 #include <algorithm>
 
@@ -17,6 +18,7 @@ template <int Dim, class Space, class Visit> void for_each_search(const Space& s
     visit(HashGrid<Dim, HashSpacing::diameter, Space>(space));
     visit(HashGrid<Dim, HashSpacing::radius, Space>(space));
     visit(CellGrid<Dim, Space>(space));
+    visit(LeafTree<Dim, Space>(space));
 }
 template <int Dim, class Visit> void for_each_search(Visit visit) {
     for_each_search<Dim>(plumbline::OpenSpace<Dim>{}, visit);
