@@ -74,6 +74,7 @@ const std::vector<Statement>& statements() {
         {adams2009, "Eq. 57", "artificial viscosity with ghosts"},
         {adams2009, "Eq. 58", "step of the velocity"},
         {adams2009, "Eq. 59", "step of the position"},
+        {adams2009, "Alg. 5", "simulation of a fluid"},
         {adams2009, "Eq. 86", "poly6 kernel in space"},
         {adams2009, "Eq. 87", "its first derivative"},
         {adams2009, "Eq. 88", "its second derivative"},

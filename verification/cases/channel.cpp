@@ -1,0 +1,59 @@
+#include "verification/cases/channel.h"
+
+namespace verification {
+namespace {
+using namespace plumbline;
+using Box = PeriodicBox<2>;
+using Search = CellGrid<2, Box>;
+using W = WendlandC2<2>;
+
+/// Fills the fluid, under the pressure of a column at rest with g = 1 m/s² if there is no lid, and three layers of ghosts per wall.
+template <class Scene>
+void fill(Scene& scene, const Channel& c, double width, const TaitEquation& tait) {
+    const double d = c.spacing, wall = 3.0 * d, hydrostatic = 1.0;  // ρ₀ g of g = 1
+    for (const Vec<2>& x : lattice<2>({Vec<2>(0.0, -wall), Vec<2>(width, 1.0 + wall)}, d)) {
+        if (x[1] > 0.0 && x[1] < 1.0) {
+            const double pressure = c.lid ? 0.0 : hydrostatic * (1.0 - x[1]);
+            scene.template get<Positions<2>>().push_back(x);
+            scene.template get<Density>().push_back(tait.density(pressure));
+        } else if (x[1] < 0.0 || c.lid) {
+            scene.template get<GhostPositions<2>>().push_back(x);
+            scene.template get<GhostVelocities<2>>().push_back(
+                Vec<2>(x[1] > 0.5 ? c.speed_of_lid : 0.0, 0.0));
+        }
+    }
+    const std::size_t n = scene.template get<Positions<2>>().size();
+    scene.template get<Velocities<2>>().assign(n, Vec<2>::Zero());
+    for (const double rho : scene.template get<Density>())
+        scene.template get<Masses>().push_back(rho * d * d);
+    scene.template get<GhostMasses>().assign(scene.template get<GhostPositions<2>>().size(), d * d);
+}
+}  // namespace
+
+ChannelState simulate(const Channel& c, double duration) {
+    const double h = c.support * c.spacing, width = 8.0 * c.spacing, c0 = 10.0;
+    const W w(h);
+    const TaitEquation tait(1.0, c0, 7.0);
+    const Box box(Vec<2>(0.0, -1.0), Vec<2>(width, 2.0));
+    Scene scene{Given<Positions<2>, Velocities<2>, Masses, Density>{},
+                Given<GhostPositions<2>, GhostVelocities<2>, GhostMasses>{},
+                WrapIntoBox<2>{box},
+                TwoStage{Evolve<2, Density>{}, WrapIntoBox<2>{box},
+                         FindNeighbours<2, Search>{h, Search(box)},
+                         FindGhosts<2, Search>{h, Search(box)}, Continuity<W, Box>{w},
+                         GhostContinuity<W, Box>{w}, DensityDiffusion<W, Box>{w, 0.1, c0},
+                         TaitPressure{tait}, Gravity<2>{c.gravity}, PressureForce<W, Box>{w},
+                         GhostPressureForce<W, Box>{w}, BrookshawViscosity<W, Box>{w, c.viscosity},
+                         GhostViscosity<W, Box>{w, c.slip ? 0.0 : c.viscosity}},
+                AcousticLimit<2>{tait, h},
+                ViscousLimit{c.viscosity, h}};
+    fill(scene, c, width, tait);
+    ChannelState end;
+    end.steps = advance_by_limits(scene, duration);
+    end.x = scene.get<Positions<2>>();
+    end.v = scene.get<Velocities<2>>();
+    end.pressure = scene.get<Pressure>();
+    return end;
+}
+
+}  // namespace verification
