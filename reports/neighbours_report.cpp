@@ -53,6 +53,15 @@ Json json_of_exponents(const std::vector<CaseResult>& cases) {
     return all;
 }
 
+/// What is asked beside points and radius.
+std::string conditions_of(const CaseResult& c) {
+    std::string text;
+    if (c.contrast) text += fmt::format("density 1:{:g}, ", *c.contrast);
+    if (c.own_radii) text += "own radii, ";
+    if (c.moved > 0.0) text += fmt::format("{:g} % moved, ", 100.0 * c.moved);
+    return text + fmt::format("{}, {} thread{}", c.order, c.threads, c.threads == 1 ? "" : "s");
+}
+
 template <class Results> Json all_of(const Results& results) {
     Json all = Json::array();
     for (const auto& result : results) all.push_back(reports::json_of(result));
@@ -61,12 +70,8 @@ template <class Results> Json all_of(const Results& results) {
 }  // namespace
 
 std::string in_words(const CaseResult& c) {
-    std::string text = fmt::format("{} {}D, {} points", c.cloud, c.dim, c.count);
-    if (c.contrast) text += fmt::format(", density 1:{:g}", *c.contrast);
-    text += c.own_radii ? ", own radii" : fmt::format(", r = {:.4g}", c.radius);
-    text += ", " + c.order;
-    if (c.moved > 0.0) text += fmt::format(", {:g} % moved", 100.0 * c.moved);
-    return text + fmt::format(", {} thread{}", c.threads, c.threads == 1 ? "" : "s");
+    return fmt::format("{} {}D, {} points, r = {:.4g}, {}", c.cloud, c.dim, c.count, c.radius,
+                       conditions_of(c));
 }
 
 Json json_of(const SearchResult& s) {
@@ -89,7 +94,8 @@ Json json_of(const SearchResult& s) {
 Json json_of(const CaseResult& c) {
     Json searches = all_of(c.searches);
     add_standing(c, searches);
-    return {{"id", in_words(c)},
+    return {{"id", conditions_of(c)},
+            {"case", in_words(c)},
             {"cloud", c.cloud},
             {"dim", c.dim},
             {"count", c.count},

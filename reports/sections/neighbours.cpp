@@ -90,7 +90,7 @@ Json row_of(const Json& search, const Json& count) {
 Json view_of_case(const Json& c) {
     Json rows = Json::array();
     for (const Json& search : c["searches"]) rows.push_back(row_of(search, c["count"]));
-    return {{"case", c["id"]},
+    return {{"case", c["case"]},
             {"neighbours", short_number(c["mean_neighbours"])},
             {"recommendation", c["recommendation"]},
             {"rows", std::move(rows)}};
