@@ -19,7 +19,7 @@ template <int Dim> double radius_of(const PointCloud<Dim>& cloud, std::size_t i)
 template <int Dim> void require_affordable(const PointCloud<Dim>& cloud) {
     if (cloud.points.empty()) throw InvalidInput("comparison: expected points, found none");
     check_radius(OpenSpace<Dim>{}, cloud.radius);
-    check_points<OpenSpace<Dim>, Dim>(OpenSpace<Dim>{}, cloud.points);
+    check_points(OpenSpace<Dim>{}, std::span<const Vec<Dim>>(cloud.points));
     const std::size_t n = cloud.points.size(), sample = affordable_rows(n, 1e8);
     const std::size_t rows = std::min<std::size_t>(sample, 100);
     double neighbours = 0.0;
