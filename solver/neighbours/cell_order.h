@@ -24,7 +24,8 @@ public:
         order_.resize(n + room_beyond);
         clear_cells();
         constexpr double cells_per_point = 4.0;
-        if (frame.cell_count() <= cells_per_point * static_cast<double>(n) + 64.0)
+        has_table_ = frame.cell_count() <= cells_per_point * static_cast<double>(n) + 64.0;
+        if (has_table_)
             sort_by_counting(frame, points);
         else
             sort_by_digits(frame, points);
@@ -63,6 +64,11 @@ public:
     std::uint32_t column(std::size_t cell) const { return column_[cell]; }
     /// The points of a cell are first_point(cell) .. first_point(cell + 1).
     Index first_point(std::size_t cell) const { return first_point_[cell]; }
+
+    /// Whether there is a table of all cells, empty ones too: if the grid has at most a few per point.
+    bool has_table() const { return has_table_; }
+    /// Where the points of any cell of the table end, and those of the next one begin.
+    Index end_in_table(std::uint64_t cell) const { return start_[cell]; }
 
     std::size_t rows() const { return row_.size(); }
     std::uint64_t row(std::size_t r) const { return row_[r]; }
@@ -130,6 +136,7 @@ private:
                 add_cell(c / columns, static_cast<std::uint32_t>(c % columns), start_[c]);
             start_[c + 1] += start_[c];
         }
+        // Each start moves on to the end of its cell.
         for (std::size_t i = 0; i < n; ++i) order_[start_[key_[i]]++] = static_cast<Index>(i);
     }
 
@@ -166,6 +173,7 @@ private:
     }
 
     std::size_t size_ = 0;
+    bool has_table_ = false;
     std::vector<Index> order_;              // point k in this order was given as order_[k]
     std::array<std::vector<Real>, Dim> x_;  // coordinates in this order
     std::vector<std::uint32_t> column_;     // of each cell

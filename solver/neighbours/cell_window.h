@@ -29,7 +29,7 @@ public:
     void gather(Candidates<Dim, Real>& near) const {
         near.resize(points_in_block(0));
         std::size_t to = 0;
-        for (const Run& run : runs_) to = copy(run.points(points_, 0), near, to);
+        for (const Run& run : runs_) to = copy(run.points, near, to);
         near.close();
     }
     /// Of the points of the block those from `first` on, in the order of the cells; `first` and what
@@ -39,7 +39,7 @@ public:
         std::size_t to = 0;
         for (const bool own : {true, false})
             for (const Run& run : runs_) {
-                const Span points = run.points(points_, first);
+                const Span points = run.not_before(first);
                 if ((points.first == first && points.last > first) == own)
                     to = copy(points, near, to);
             }
@@ -51,26 +51,41 @@ private:
         Index first, last;
     };
 
-    /// The cells begin .. end of the row row_begin .. row_end; moving keeps the cells already found.
+    /// The points of some columns of one row.
     struct Run {
-        Index row_begin, row_end;
+        std::uint64_t row;
+        Index row_begin, row_end;  // cells of the row, where there is no table
         Index begin = row_begin, end = row_begin;
+        Span points{0, 0};
 
-        void move_to(const Order& points, std::int64_t first, std::int64_t last) {
-            begin = from(points, begin, first);
-            end = from(points, std::max(begin, end), last + 1);
+        void move_to(const Order& order, std::uint64_t columns, std::int64_t first,
+                     std::int64_t last) {
+            if (order.has_table()) return look_up(order, columns, first, last);
+            begin = from(order, begin, first);
+            end = from(order, std::max(begin, end), last + 1);
+            points = {order.first_point(begin), order.first_point(end)};
         }
-        /// The points of the run that are not before `from`.
-        Span points(const Order& points, Index from) const {
-            const Index last = points.first_point(end);
-            return {std::min(std::max(points.first_point(begin), from), last), last};
+        /// Those that are not before `least`.
+        Span not_before(Index least) const {
+            return {std::min(std::max(points.first, least), points.last), points.last};
         }
 
     private:
-        /// The first cell of the row whose column is not below `column`, looked for from `cell` on.
-        Index from(const Order& points, Index cell, std::int64_t column) const {
-            while (cell > row_begin && points.column(cell - 1) >= column) --cell;
-            while (cell < row_end && points.column(cell) < column) ++cell;
+        void look_up(const Order& order, std::uint64_t columns, std::int64_t first,
+                     std::int64_t last) {
+            first = std::max<std::int64_t>(first, 0);
+            last = std::min<std::int64_t>(last, static_cast<std::int64_t>(columns) - 1);
+            if (first > last) return void(points = {0, 0});
+            const std::uint64_t cell = row * columns;
+            const std::uint64_t before = cell + static_cast<std::uint64_t>(first);
+            points = {before == 0 ? 0 : order.end_in_table(before - 1),
+                      order.end_in_table(cell + static_cast<std::uint64_t>(last))};
+        }
+        /// The first cell of the row whose column is not below `column`, looked for from `cell` on:
+        /// moving keeps the cells already found.
+        Index from(const Order& order, Index cell, std::int64_t column) const {
+            while (cell > row_begin && order.column(cell - 1) >= column) --cell;
+            while (cell < row_end && order.column(cell) < column) ++cell;
             return cell;
         }
     };
@@ -78,7 +93,7 @@ private:
     std::size_t points_in_block(Index from) const {
         std::size_t n = 0;
         for (const Run& run : runs_) {
-            const Span points = run.points(points_, from);
+            const Span points = run.not_before(from);
             n += points.last - points.first;
         }
         return n;
@@ -133,25 +148,28 @@ private:
     }
 
     void add_run(std::uint64_t row) {
+        if (points_.has_table()) return push(Run{row, 0, 0});
         // The windows of one row after the other look for rows that also follow one another.
         if (hint_used_ == hints_.size()) hints_.push_back(0);
         std::size_t& hint = hints_[hint_used_++];
         if (hint >= points_.rows() || points_.row(hint) > row) hint = 0;
         const std::size_t r = hint = points_.row_from(row, hint);
         if (r == points_.rows() || points_.row(r) != row) return;
-        const Run run{points_.first_cell(r), points_.first_cell(r + 1)};
+        push(Run{row, points_.first_cell(r), points_.first_cell(r + 1)});
+    }
+    /// In a box that wraps, runs come in pairs: the second takes the columns beyond a face.
+    void push(const Run& run) {
         runs_.push_back(run);
         if (Wraps) runs_.push_back(run);
     }
 
-    /// In a box that wraps, runs come in pairs: the second takes the columns beyond a face.
     void move_runs(std::int64_t first, std::int64_t last, std::int64_t first_image,
                    std::int64_t last_image) {
         for (std::size_t k = 0; k < runs_.size(); ++k) {
             if (Wraps && k % 2 == 1)
-                runs_[k].move_to(points_, first_image, last_image);
+                runs_[k].move_to(points_, frame_.cells(0), first_image, last_image);
             else
-                runs_[k].move_to(points_, first, last);
+                runs_[k].move_to(points_, frame_.cells(0), first, last);
         }
     }
 

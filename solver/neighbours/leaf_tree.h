@@ -22,7 +22,7 @@ class LeafTree
 public:
     static constexpr std::string_view name = "leaf_tree";
 
-    explicit LeafTree(Space space = {}, Index leaf_size = 12,
+    explicit LeafTree(Space space = {}, Index leaf_size = 24,
                       Instructions instructions = best_instructions())
         : Base{space, instructions}, leaf_size_{leaf_size} {
         if (leaf_size < 1) throw InvalidInput("LeafTree: expected a leaf size above 0, found 0");
