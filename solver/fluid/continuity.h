@@ -9,8 +9,9 @@ namespace plumbline {
 
 /// dρᵢ/dt += Σⱼ mⱼ (vᵢ − vⱼ)·∇ᵢωᵢⱼ: the time derivative of adams2009 Eq. 5               Monaghan 1992
 /// For densities that are advanced in time instead of summed: correct at free surfaces, where the sum
-/// is too small, and open to diffusion. An integrator of `Density` follows. What rounding and time
-/// steps take from ρ is never given back.
+/// is too small, and open to diffusion. To be advanced by TwoStage or Leapfrog:
+/// SymplecticEuler advances density and velocity together, which makes sound waves grow at any time
+/// step. What rounding and time steps take from ρ is never given back.
 template <RadialKernel K, class Space = OpenSpace<K::dim>> struct Continuity {
     static constexpr int dim = K::dim;
     using Reads = Quantities<Positions<dim>, Velocities<dim>, Masses, Neighbourhood<dim, Space>>;

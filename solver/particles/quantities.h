@@ -43,12 +43,6 @@ template <int Dim> struct GhostVelocities : Each<Vec<Dim>, Ghosts> {  // [m/s]
 struct GhostMasses : Each<double, Ghosts> {  // [kg]
     static constexpr std::string_view name = "ghost masses";
 };
-struct GhostDensity : Each<double, Ghosts> {  // [kg/m^Dim]
-    static constexpr std::string_view name = "ghost density";
-};
-struct GhostPressure : Each<double, Ghosts> {  // [Pa], in the plane [N/m]
-    static constexpr std::string_view name = "ghost pressure";
-};
 
 /// dQ/dt of a quantity that an integrator advances beside positions and velocities.
 template <class Q> struct Rate : Each<typename Q::value_type, typename Q::set> {

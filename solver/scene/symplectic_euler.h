@@ -8,7 +8,8 @@ namespace plumbline {
 
 /// v(t + Δt) = v + Δt a,  x(t + Δt) = x + Δt v(t + Δt); then a = 0.        adams2009 Eqs. 58, 59
 /// The last pass of a step. Each quantity of `Evolved` is advanced by its Rate in the same way:
-/// q(t + Δt) = q + Δt dq/dt. Of order 1; a mode of angular frequency ω is stable iff ω Δt ≤ 2.
+/// q(t + Δt) = q + Δt dq/dt, with the rates of the old velocities: good for temperatures, not for
+/// the density, which sound couples to the velocities. Of order 1; a mode of angular frequency ω is stable iff ω Δt ≤ 2.
 /// adams2009 calls it explicit; it is semi-implicit, and bounds the error of the energy: erratum 37.
 template <int Dim, class... Evolved> struct SymplecticEuler {
     using Reads = Quantities<>;
