@@ -22,17 +22,17 @@ public:
         require_proper(box);
         require_positive(distance, "distance");
         double cells = 1.0;
-        Cell reach;
         for (int d = 0; d < Dim; ++d) {
             // A cell is no wider than distance/√Dim across: it holds one point at most.
             const double along = std::ceil(box.size()[d] / distance * std::sqrt(1.0 * Dim));
-            cells *= along;
+            edge_[d] = box.size()[d] / along;
+            reach_[d] = static_cast<std::int64_t>(std::ceil(distance / edge_[d]));
+            stride_[d] = static_cast<std::int64_t>(cells);
+            cells *= along + 2.0 * static_cast<double>(reach_[d]);
             require_count(cells);
             n_[d] = static_cast<std::int64_t>(along);
-            edge_[d] = box.size()[d] / along;
-            reach[d] = static_cast<std::int64_t>(std::ceil(distance / edge_[d]));
         }
-        cells_in_reach_ = cells_in_reach(reach);
+        offsets_in_reach_ = offsets_in_reach();
         point_of_cell_.assign(static_cast<std::size_t>(cells), none);
     }
 
@@ -55,7 +55,9 @@ private:
     static constexpr int deepest = 48;
 
     std::vector<Cell> whole_cells_of_the_box() const {
-        std::vector<Cell> cells(point_of_cell_.size());
+        std::int64_t count = 1;
+        for (const std::int64_t n : n_) count *= n;
+        std::vector<Cell> cells(static_cast<std::size_t>(count));
         Cell k{};
         for (Cell& cell : cells) {
             cell = k;
@@ -71,18 +73,19 @@ private:
         return x;
     }
 
+    /// Where the grid's cell around `cell` is stored. Cells in reach of it always are: there are empty
+    /// ones around the box, so that nobody has to ask whether a cell is inside.
     std::size_t grid_index(const Cell& cell, int level) const {
-        std::size_t index = 0;
-        for (int d = Dim - 1; d >= 0; --d)
-            index = index * static_cast<std::size_t>(n_[d]) +
-                    static_cast<std::size_t>(cell[d] >> level);
-        return index;
+        std::int64_t index = 0;
+        for (int d = 0; d < Dim; ++d) index += ((cell[d] >> level) + reach_[d]) * stride_[d];
+        return static_cast<std::size_t>(index);
     }
 
-    /// Which cells, relative to one, can hold a point nearer than the distance; the nearest first.
-    std::vector<Cell> cells_in_reach(const Cell& reach) const {
+    /// How far from a cell those are stored that can hold a point nearer than the distance to one in
+    /// it; the nearest first.
+    std::vector<std::ptrdiff_t> offsets_in_reach() const {
         Cell offset;
-        for (int d = 0; d < Dim; ++d) offset[d] = -reach[d];
+        for (int d = 0; d < Dim; ++d) offset[d] = -reach_[d];
         std::vector<Cell> cells;
         const auto squared_gap = [&](const Cell& cell, std::int64_t adjacent) {
             double sum = 0.0;
@@ -94,26 +97,34 @@ private:
         };
         for (int d = 0; d < Dim;) {
             if (squared_gap(offset, 1) <= squared_distance_) cells.push_back(offset);
-            for (d = 0; d < Dim && ++offset[d] > reach[d]; ++d) offset[d] = -reach[d];
+            for (d = 0; d < Dim && ++offset[d] > reach_[d]; ++d) offset[d] = -reach_[d];
         }
         std::ranges::stable_sort(cells, {}, [&](const Cell& c) { return squared_gap(c, 0); });
-        return cells;
+        std::vector<std::ptrdiff_t> offsets;
+        for (const Cell& c : cells) {
+            offsets.push_back(0);
+            for (int axis = 0; axis < Dim; ++axis) offsets.back() += c[axis] * stride_[axis];
+        }
+        return offsets;
     }
 
     /// Calls visit(point) for the points around a cell, until it returns true; then so does this.
     template <class Visit> bool any_near(const Cell& cell, int level, Visit visit) const {
-        for (const Cell& offset : cells_in_reach_) {
-            Cell other;
-            bool inside = true;
-            for (int d = 0; d < Dim; ++d) {
-                other[d] = (cell[d] >> level) + offset[d];
-                inside = inside && other[d] >= 0 && other[d] < n_[d];
-            }
-            if (!inside) continue;
-            const Index i = point_of_cell_[grid_index(other, 0)];
+        const Index* const home = &point_of_cell_[grid_index(cell, level)];
+        for (const std::ptrdiff_t offset : offsets_in_reach_) {
+            const Index i = home[offset];
             if (i != none && visit(points_[i])) return true;
         }
         return false;
+    }
+
+    Points<Dim> points_near(const Cell& cell, int level) const {
+        Points<Dim> near;
+        any_near(cell, level, [&](const Vec<Dim>& p) {
+            near.push_back(p);
+            return false;
+        });
+        return near;
     }
 
     void throw_darts(std::vector<Cell>& open, int level) {
@@ -142,15 +153,20 @@ private:
     /// The halves of the open cells that no disc covers alone.
     std::vector<Cell> still_open_parts(const std::vector<Cell>& open, int level) const {
         std::vector<Cell> parts;
-        const Vec<Dim> edge = edge_ * std::ldexp(1.0, -level - 1);
+        Points<Dim> near;
+        std::size_t home_of_near = point_of_cell_.size();
+        const Vec<Dim> half = edge_ * std::ldexp(1.0, -level - 2);
         for (const Cell& cell : open) {
-            if (point_of_cell_[grid_index(cell, level)] != none) continue;
+            const std::size_t home = grid_index(cell, level);
+            if (point_of_cell_[home] != none) continue;
+            if (home != home_of_near) near = points_near(cell, level);  // parts of one lie together
+            home_of_near = home;
             for (int corner = 0; corner < 1 << Dim; ++corner) {
                 Cell part;
                 for (int d = 0; d < Dim; ++d) part[d] = 2 * cell[d] + (corner >> d & 1);
-                const Vec<Dim> middle = low_corner(part, level + 1) + 0.5 * edge;
-                const bool covered = any_near(part, level + 1, [&](const Vec<Dim>& p) {
-                    const Vec<Dim> farthest = (p - middle).cwiseAbs() + 0.5 * edge;
+                const Vec<Dim> middle = low_corner(part, level + 1) + half;
+                const bool covered = std::ranges::any_of(near, [&](const Vec<Dim>& p) {
+                    const Vec<Dim> farthest = (p - middle).cwiseAbs() + half;
                     return farthest.squaredNorm() < squared_distance_;
                 });
                 if (!covered) parts.push_back(part);
@@ -162,9 +178,12 @@ private:
     Box<Dim> box_;
     double squared_distance_;
     Random random_;
-    Cell n_{};  // cells along each axis
+    Cell n_{};  // cells along each axis, ...
+    Cell
+        reach_{};  // the empty ones on either side of them, and how far apart neighbours are stored
+    Cell stride_{};
     Vec<Dim> edge_;
-    std::vector<Cell> cells_in_reach_;
+    std::vector<std::ptrdiff_t> offsets_in_reach_;
     std::vector<Index> point_of_cell_;
     Points<Dim> points_;
 };
