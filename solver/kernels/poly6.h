@@ -4,6 +4,7 @@
 #include "solver/kernels/kernel.h"
 #include "solver/kernels/support.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace plumbline {
@@ -28,8 +29,9 @@ public:
 
     double value(double r) const {  // σ (1 − q²)³, Eqs. 86, 89
         const double h = h_.scaled(), x = h_.clamp(r);
-        const double s = rounded_product(difference(h, x), sum(h, x));
-        return c0_ * (s * s * s);
+        const Twofold s = difference(h, x) * sum(h, x);
+        const double s2 = s.value * s.value;
+        return c0_ * std::fma(s2, s.value, 3.0 * s2 * s.rest);  // (s + rest)³ but for rest²
     }
     double derivative(double r) const {  // −6 σ q (1 − q²)², Eqs. 87, 90
         const double h = h_.scaled(), x = h_.clamp(r), s = (h - x) * (h + x);

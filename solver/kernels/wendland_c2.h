@@ -31,8 +31,8 @@ public:
         const double h = h_.scaled(), x = h_.clamp(r);
         const Twofold t = difference(h, x);
         if constexpr (Dim == 1) return c0_ * rounded_product(t * t, t) * std::fma(3.0, x, h);
-        const double t2 = rounded_product(t, t);
-        return c0_ * (t2 * t2) * std::fma(4.0, x, h);
+        const Twofold t2 = t * t;
+        return c0_ * rounded_product(t2, t2) * std::fma(4.0, x, h);
     }
     double derivative(double r) const {  // −20 σ q (1 − q)³; 1D: −12 σ q (1 − q)²
         const double x = h_.clamp(r), t = h_.scaled() - x;
