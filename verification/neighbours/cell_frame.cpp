@@ -66,7 +66,8 @@ const Register claims_of_cell_frame{
             [] {
                 return pairs_out_of_reach(1e3, 0.3, false) + pairs_out_of_reach(1e3, 2.5, false) +
                        pairs_out_of_reach(1e6, 7.0, false);
-            }},
+            },
+        .sabotaged = [] { return pairs_out_of_reach(1e3, 2.5, true); }},
     Claim{.id = "cell_frame.adjacent_through_the_faces",
           .source = {Paper::plumbline, "docstring of CellFrame"},
           .says = "in a periodic box, of any number of cells, the same holds modulo that number",

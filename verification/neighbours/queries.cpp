@@ -93,6 +93,26 @@ const auto as_brute_force = [](auto search) {
     RC_ASSERT(lists_of(search, x, radius) == lists_of(oracle, x, radius));
 };
 
+/// Lists that end after so many neighbours, the first ones as stored; a tolerance in metres.
+struct FlawedSearch {
+    Index most_neighbours = std::numeric_limits<Index>::max();
+    double tolerance = 0.0;
+    BruteForce<3> search{};
+
+    void build(const Points<3>& x, double radius) { search.build(x, radius + tolerance); }
+    NeighbourLists query(const Points<3>& x) const {
+        const NeighbourLists all = search.query(x);
+        NeighbourLists kept{{0}, {}};
+        for (Index i = 0; i < all.size(); ++i) {
+            for (const Index j : all.of(i))
+                if (kept.indices.size() - kept.offsets.back() < most_neighbours)
+                    kept.indices.push_back(j);
+            kept.offsets.push_back(kept.indices.size());
+        }
+        return kept;
+    }
+};
+
 template <class Property> double counterexamples_in_all_searches(Property property) {
     double found = 0.0;
     for_each_search<3>(
@@ -128,7 +148,12 @@ std::vector<Claim> claims_of_symmetries() {
         claim_of("unchanged_by_scaling", "another unit of length changes no list",
                  unchanged_by_scaling)};
     // Algorithm 4 keeps these two: its cells scale with the radius, and do not see the order.
-    claims[4].sabotaged = claims[5].sabotaged = {};
+    claims[4].sabotaged = [] {
+        return counterexamples([] { unchanged_by_order(FlawedSearch{.most_neighbours = 3}); });
+    };
+    claims[5].sabotaged = [] {
+        return counterexamples([] { unchanged_by_scaling(FlawedSearch{.tolerance = 1e-3}); });
+    };
     return claims;
 }
 

@@ -23,6 +23,9 @@ using Rule3 = bool (*)(const Vec<3>& a, const Vec<3>& b, double r);
 bool by_difference(const Vec<3>& a, const Vec<3>& b, double r) {
     return squared_distance(OpenSpace<3>{}, a, b) < r * r;
 }
+bool exactly(const Vec<3>& a, const Vec<3>& b, double r) {
+    return exact_square(a, b) < Real50(r) * Real50(r);
+}
 /// The tempting expansion, which saves subtractions and cancels.
 bool by_expansion(const Vec<3>& a, const Vec<3>& b, double r) {
     return a.dot(a) + b.dot(b) - 2.0 * a.dot(b) < r * r;
@@ -119,7 +122,8 @@ const Register claims_of_space{
               "within 2 units in the last place of the radius some pairs are decided wrongly, so "
               "the guarantee says no more than is needed",
           .bound = at_least(1.0, "20000 pairs within 2 units"),
-          .measure = [] { return wrong_decisions(by_difference).number; }},
+          .measure = [] { return wrong_decisions(by_difference).number; },
+          .sabotaged = [] { return wrong_decisions(exactly).number; }},
     Claim{.id = "space.lattice_ties_are_exact",
           .source = {Paper::plumbline, "docstring of squared_distance"},
           .says = "on a lattice of spacing 1/16 the sites at exactly r are no neighbours: 0 wrong",

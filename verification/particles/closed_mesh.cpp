@@ -150,14 +150,27 @@ double lattice_points_off_160(const TriangleMesh& mesh) {
     return std::abs(static_cast<double>(inside(body, lattice(body.bounds(), 0.2)).size()) - 160);
 }
 
-double differs_with_threads() {
+/// What comes of it if each thread appends its share as it ends, the last one first.
+Points<3> as_threads_end(const Points<3>& points) {
+    const auto n = static_cast<std::ptrdiff_t>(points.size()),
+               threads = std::ptrdiff_t{thread_count()};
+    Points<3> all;
+    for (std::ptrdiff_t k = threads; k > 0; --k)
+        all.insert(all.end(), points.begin() + n * (k - 1) / threads,
+                   points.begin() + n * k / threads);
+    return all;
+}
+double differs_with_threads(bool appended) {
     const ClosedMesh body(sphere(2));
     const Points<3> points = halton(body.bounds(), 5000);
     const int threads = thread_count();
     set_thread_count(1);
-    const Points<3> serial = inside(body, points);
+    const auto filled = [&] {
+        return appended ? as_threads_end(inside(body, points)) : inside(body, points);
+    };
+    const Points<3> serial = filled();
     set_thread_count(4);
-    const Points<3> parallel = inside(body, points);
+    const Points<3> parallel = filled();
     set_thread_count(threads);
     return serial == parallel && !serial.empty() && serial.size() < points.size() ? 0 : 1;
 }
@@ -218,6 +231,7 @@ const Register claims_of_closed_mesh{
           .source = {Paper::plumbline, "docstring of parallel_for"},
           .says = "the same points with 1 and with 4 threads, in the same order",
           .bound = at_most(0, "1 if they differ"),
-          .measure = differs_with_threads},
+          .measure = [] { return differs_with_threads(false); },
+          .sabotaged = [] { return differs_with_threads(true); }},
 };
 }  // namespace

@@ -40,9 +40,12 @@ template <int Dim> double wrong_if_stretched_to_the_faces(const Box<Dim>& box) {
     return misplaced_neighbours(points, box, spacing, {{1, 2 * Dim}});
 }
 
-double volume_error_in_1d() {
+/// `both_ends`: points on both faces, one more than there are cells.
+double volume_error_in_1d(bool both_ends) {
     const Box<1> line{Vec<1>(-2.0), Vec<1>(1.0)};
-    return volume_error(lattice(line, spacing), line, spacing);
+    Points<1> points = lattice(line, spacing);
+    if (both_ends) points.push_back(line.high);
+    return volume_error(points, line, spacing);
 }
 double volume_error_in_space() {
     return volume_error(lattice(cube, spacing), cube, std::pow(spacing, 3));
@@ -86,7 +89,8 @@ const Register claims_of_lattice{
           .source = {Paper::plumbline, "docstring of lattice"},
           .says = "each point has the length of one spacing",
           .bound = at_most(1e-15, "30 · 0.1 / 3, each rounded once: 4 roundings of 1.1e-16"),
-          .measure = volume_error_in_1d},
+          .measure = [] { return volume_error_in_1d(false); },
+          .sabotaged = [] { return volume_error_in_1d(true); }},
     Claim{.id = "lattice.volume_per_point_3d",
           .source = {Paper::plumbline, "docstring of lattice"},
           .says = "each point has the volume of a cube of one spacing",
