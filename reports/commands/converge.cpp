@@ -33,8 +33,10 @@ std::string joined(const Json& values, const char* format) {
 }
 
 void print_series(const Json& s) {
-    const std::string expected =
+    std::string expected =
         s["expected_saturation"].get<bool>() ? "to saturate" : bound_in_words(s["expected"]);
+    if (s["expected_saturation"].get<bool>() && s["verdict"] == "verified")
+        expected += fmt::format(", rests at {}", short_number(s["floor"]));
     fmt::print("  {:<24} {:<34} order {} in [{}], expected {:<18} errors {}\n",
                s["verdict"].get<std::string>(),
                s["name"].get<std::string>() + (s["sabotaged"].get<bool>() ? " (sabotaged)" : ""),
