@@ -98,6 +98,17 @@ private:
     }
 };
 
+/// The order in the spacing of an error that lengths alone decide, h/spacing fixed: log₂ of what it is,
+/// over what it is when all lengths are halved. `error(fields)`.
+template <class K, class Error>
+double order_under_refinement(double support, double jitter, Error error) {
+    const Fields<K> coarse(support, {.support = 0, .jitter = jitter});
+    Similarity<K::dim> halving{plumbline::Mat<K::dim>::Identity(), plumbline::Vec<K::dim>::Zero(),
+                               0.5, std::vector<plumbline::Index>(coarse.size())};
+    std::iota(halving.order.begin(), halving.order.end(), plumbline::Index{0});
+    return std::log2(error(coarse) / error(coarse.moved(halving)));
+}
+
 inline double turned(const auto&, double value) { return value; }
 template <int Dim>
 plumbline::Vec<Dim> turned(const Similarity<Dim>& by, const plumbline::Vec<Dim>& v) {

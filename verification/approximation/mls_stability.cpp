@@ -144,6 +144,36 @@ const Register degenerate{
           .sabotaged = [] { return planar_error(0.0, x_squared); }},
 };
 
+/// Half of a square lattice, seen from a sample of its last row.
+Cloud<2> at_the_edge(double support) {
+    Cloud<2> cloud{{}, {0.0, 0.0}, support};
+    for (int i = -4; i <= 4; ++i)
+        for (int j = 0; j <= 4; ++j) cloud.x.push_back({1.0 * i, 1.0 * j});
+    return cloud;
+}
+const Register edge{
+    Erratum{49,
+            {Paper::plumbline, "catalogue of formulas, minimum support"},
+            "use h ≥ 2 spacings in the plane and in space",
+            "order 3 needs more than 3 spacings at the edge of a lattice"},
+    Claim{.id = "mls_shape.order_3_needs_more_than_3_spacings_at_an_edge",
+          .source = {Paper::adams2009, "Sec. 3.3"},
+          .says = "order 3 at the last row of a square lattice: full rank at h = 3.01 spacings",
+          .bound = between(10, 10, "4 rows with a sample each, the fourth at a distance of 3"),
+          .measure = [] { return rank_of<3>(at_the_edge(3.01)); },
+          .sabotaged = [] { return rank_of<3>(at_the_edge(2.0)); },
+          .erratum = 49},
+    Claim{
+        .id = "mls_shape.order_3_is_deficient_at_an_edge",
+        .source = {Paper::adams2009, "Sec. 3.3"},
+        .says = "order 3 at the last row of a square lattice: rank 9 of 10 at h = 3 spacings",
+        .bound = between(9, 9,
+                         "y (y − 1) (y − 2) is 0 on the three rows closer than 3 spacings, and no "
+                         "other cubic polynomial is: they hold 5, 5 and 5 samples"),
+        .measure = [] { return rank_of<3>(at_the_edge(3.0)); },
+        .sabotaged = [] { return rank_of<3>(at_the_edge(3.01)); },
+        .erratum = 49}};
+
 /// Of 200 clouds with 20 % jitter, how many have less than full rank.
 template <int Order, int Dim> double incomplete_fits(double support) {
     int incomplete = 0;
