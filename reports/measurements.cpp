@@ -12,21 +12,49 @@ std::vector<ClaimResult> measure_all(const std::vector<Claim>& claims, double se
 
 bool passed(Verdict verdict) { return verdict == Verdict::verified; }
 
-bool Mutant::caught() const {
+bool ErratumResult::caught() const {
     return std::ranges::any_of(claims, [](const ClaimResult& r) {
         return r.sabotaged && !r.claim.bound.holds(*r.sabotaged);
     });
 }
 
-std::vector<Mutant> mutants(const std::vector<ClaimResult>& results) {
-    std::vector<Mutant> all;
+std::vector<ErratumResult> errata_in(const std::vector<ClaimResult>& results) {
+    std::vector<ErratumResult> all;
     for (const Erratum& erratum : errata()) {
-        Mutant mutant{erratum, {}};
+        ErratumResult one{erratum, {}};
         for (const ClaimResult& r : results)
-            if (r.claim.erratum == erratum.number) mutant.claims.push_back(r);
-        all.push_back(std::move(mutant));
+            if (r.claim.erratum == erratum.number) one.claims.push_back(r);
+        all.push_back(std::move(one));
     }
     return all;
+}
+
+std::size_t MutantRow::caught() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(cells, [](const Cell& c) { return c.result.caught; }));
+}
+
+std::vector<MutantRow> measure_mutants(const std::vector<Claim>& claims, double seconds_per_claim) {
+    std::vector<MutantRow> rows;
+    for (const Mutant* mutant : mutants()) rows.push_back({mutant, {}});
+    const auto by_claim = one_by_one(claims, seconds_per_claim, measure_with_mutants);
+    for (std::size_t k = 0; k < claims.size(); ++k)
+        for (const MutantResult& result : by_claim[k])
+            std::ranges::find(rows, result.mutant, &MutantRow::mutant)
+                ->cells.push_back({claims[k].id, result});
+    return rows;
+}
+
+Json json_of(const MutantRow& row) {
+    Json cells = Json::array();
+    for (const MutantRow::Cell& c : row.cells)
+        cells.push_back({{"id", c.claim},
+                         {"measured", number(c.result.measured)},
+                         {"caught", c.result.caught}});
+    return {{"erratum", row.mutant->erratum},
+            {"printed", row.mutant->printed},
+            {"replaces", row.mutant->replaces},
+            {"claims", std::move(cells)}};
 }
 
 }  // namespace reports

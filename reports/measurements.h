@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reports/interrupt.h"
+#include "reports/json.h"
 #include "reports/progress.h"
 #include "reports/watchdog.h"
 #include "verification/framework/registry.h"
@@ -34,12 +35,27 @@ std::vector<verification::ClaimResult> measure_all(const std::vector<verificatio
 /// Whether everything that `verdict` says of its claim or series is in its favour.
 bool passed(verification::Verdict verdict);
 
-/// One erratum and the claims that catch its printed form.
-struct Mutant {
+/// One erratum, and the claims that name it: their sabotaged variant is the printed form.
+struct ErratumResult {
     verification::Erratum erratum;
-    std::vector<verification::ClaimResult> claims;  // those that name it
+    std::vector<verification::ClaimResult> claims;
     bool caught() const;
 };
-std::vector<Mutant> mutants(const std::vector<verification::ClaimResult>& results);
+std::vector<ErratumResult> errata_in(const std::vector<verification::ClaimResult>& results);
+
+/// One row of the matrix of mutants and claims.
+struct MutantRow {
+    struct Cell {
+        std::string claim;
+        verification::MutantResult result;
+    };
+    const verification::Mutant* mutant;
+    std::vector<Cell> cells;  // the claims on the operator, by their ids
+    std::size_t caught() const;
+};
+/// Every mutant in the place of its operator, for each of `claims` that depends on it.
+std::vector<MutantRow> measure_mutants(const std::vector<verification::Claim>& claims,
+                                       double seconds_per_claim);
+Json json_of(const MutantRow& row);
 
 }  // namespace reports

@@ -55,9 +55,9 @@ void print_table(std::vector<ClaimResult> results) {
     }
 }
 
-void print_mutants(const std::vector<Mutant>& all) {
-    fmt::print("{:<8} {:<8} {:<24} {}\n", "erratum", "caught", "where", "by");
-    for (const Mutant& m : all) {
+void print_errata(const std::vector<ErratumResult>& all) {
+    fmt::print("{:<8} {:<8} {:<24} {}\n", "erratum", "caught", "where", "by the twin of");
+    for (const ErratumResult& m : all) {
         std::string by;
         for (const ClaimResult& r : m.claims) {
             if (!r.sabotaged || r.claim.bound.holds(*r.sabotaged)) continue;
@@ -70,15 +70,20 @@ void print_mutants(const std::vector<Mutant>& all) {
     }
 }
 
-Json json_of_mutants(const std::vector<Mutant>& all) {
-    Json rows = Json::array();
-    for (const Mutant& m : all) {
-        Json row = json_of(m.erratum);
-        row["caught"] = m.caught();
-        for (const ClaimResult& r : m.claims) row["claims"].push_back(r.claim.id);
-        rows.push_back(std::move(row));
+/// The matrix: a line of the table per mutant, and below it both kinds of claims.
+void print_mutants(const std::vector<MutantRow>& rows) {
+    fmt::print("\n{:<8} {:<44} {:<28} {}\n", "erratum", "as printed", "in the place of",
+               "caught by");
+    for (const MutantRow& row : rows) {
+        fmt::print("{:<8} {:<44} {:<28} {} of the {} claims on it\n", row.mutant->erratum,
+                   row.mutant->printed, row.mutant->replaces, row.caught(), row.cells.size());
+        for (const bool caught : {true, false}) {
+            std::string ids;
+            for (const MutantRow::Cell& cell : row.cells)
+                if (cell.result.caught == caught) ids += " " + cell.claim;
+            if (!ids.empty()) fmt::print("         {}{}\n", caught ? "caught:" : "passes:", ids);
+        }
     }
-    return rows;
 }
 
 std::string summary(const std::vector<ClaimResult>& results) {
@@ -99,10 +104,16 @@ ExitCode verify(const Options& options) {
         return ExitCode::inconclusive;
     }
     const auto results = measure_all(selected, options.seconds_per_claim);
-    const auto printed_forms = mutants(results);
+    auto printed_forms = errata_in(results);
+    std::vector<MutantRow> matrix;
+    if (options.mutants) matrix = measure_mutants(selected, options.seconds_per_claim);
+    if (selected.size() < claims().size()) {  // of a part, only what it is about
+        std::erase_if(printed_forms, [](const ErratumResult& e) { return e.claims.empty(); });
+        std::erase_if(matrix, [](const MutantRow& row) { return row.cells.empty(); });
+    }
     if (!options.json.empty()) {
         Json json = document("claims", json_array(results));
-        if (options.mutants) json["mutants"] = json_of_mutants(printed_forms);
+        if (options.mutants) json["mutants"] = json_array(matrix);
         write_json(json, options.json);
     }
     if (!options.junit.empty()) {
@@ -111,15 +122,19 @@ ExitCode verify(const Options& options) {
         if (!file.flush()) throw std::runtime_error("cannot write " + options.junit);
     }
     if (options.json != "-") {
-        if (options.mutants)
-            print_mutants(printed_forms);
-        else
+        if (options.mutants) {
+            print_errata(printed_forms);
+            print_mutants(matrix);
+        } else {
             print_table(results);
+        }
     }
     fmt::print(stderr, "{}", summary(results));
     const bool sound =
         std::ranges::all_of(results, [](const ClaimResult& r) { return passed(r.verdict); });
-    const bool all_caught = !options.mutants || std::ranges::all_of(printed_forms, &Mutant::caught);
+    const bool all_caught =
+        !options.mutants || (std::ranges::all_of(printed_forms, &ErratumResult::caught) &&
+                             std::ranges::all_of(matrix, &MutantRow::caught));
     return sound && all_caught ? ExitCode::ok : ExitCode::check_failed;
 }
 
@@ -137,7 +152,8 @@ const RegisterCommand command{
          app.add_option("--junit", options->junit, "write the results as JUnit XML to this file")
              ->check(output_file());
          app.add_flag("--mutants", options->mutants,
-                      "which claim catches which formula as printed; one that none catches fails");
+                      "each formula as printed in the place of its operator: which of the claims "
+                      "on it catch it, and which do not; one that none catches fails");
          app.add_option("--time-limit", options->seconds_per_claim,
                         "seconds that one claim may take")
              ->check(positive_number())

@@ -1,12 +1,20 @@
+#include "reports/measurements.h"
 #include "reports/page/templates.h"
 #include "reports/sections/section.h"
 #include "reports/words.h"
 #include "verification/framework/registry.h"
 
+#include <algorithm>
+
 namespace reports {
 namespace {
 /// The errata, each with the claims of the report that measure its printed and its corrected form.
+constexpr double seconds_per_claim = 120.0;
+
 void collect(ReportRun& run) {
+    run.report["mutants"] = run.piece("mutants", "claims with printed formulas", [] {
+        return json_array(measure_mutants(verification::claims(), seconds_per_claim));
+    });
     run.report["errata"] = Json::array();
     for (const verification::Erratum& erratum : verification::errata()) {
         Json row = json_of(erratum);
@@ -39,7 +47,20 @@ Json view(const Json& report) {
         }
         rows.push_back(std::move(row));
     }
-    return {{"rows", rows}};
+    Json mutants = Json::array();
+    for (Json row : report.value("mutants", Json::array())) {
+        const auto caught = std::ranges::count_if(
+            row["claims"], [](const Json& claim) { return claim["caught"].get<bool>(); });
+        row["caught"] = caught;
+        row["all"] = row["claims"].size();
+        row["class"] = caught > 0 ? "ok" : "bad";
+        for (Json& claim : row["claims"]) {
+            claim["class"] = claim["caught"] ? "ok" : "open";
+            claim["value"] = short_number(claim["measured"]);
+        }
+        mutants.push_back(std::move(row));
+    }
+    return {{"rows", rows}, {"mutants", mutants}};
 }
 
 const RegisterSection section{

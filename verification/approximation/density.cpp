@@ -55,14 +55,7 @@ template <class F> double near_delta(const Vec<2>& x, double eps, F f) {
         0.0, eps);
 }
 
-/// ∫ m(x′) g(x′) dV′ with m(x′) = Σᵢ mᵢ δ(x′ − xᵢ).
-template <class G> double integrate_mass(G g) {
-    const auto& d = disordered<2>();
-    double total = 0.0;
-    for (Index i = 0; i < d.size(); ++i) total += d.m[i] * near_delta(d.patch.x[i], 1e-4, g);
-    return total;
-}
-/// The same with m(x′) as Eq. 6 prints it: mᵢ at the samples, 0 elsewhere. By any rule of quadrature.
+/// ∫ m(x′) g(x′) dV′ with m(x′) as Eq. 6 prints it: mᵢ at the samples, 0 elsewhere. By any rule of quadrature.
 template <class G> double integrate_mass_as_printed(G g) {
     const auto& d = disordered<2>();
     const auto m = [&](const Vec<2>& x) {
@@ -73,6 +66,15 @@ template <class G> double integrate_mass_as_printed(G g) {
     double total = 0.0;
     for (double x = -5.995; x < 6.0; x += 0.1)
         for (double y = -5.995; y < 6.0; y += 0.1) total += 0.1 * 0.1 * m({x, y}) * g(Vec<2>(x, y));
+    return total;
+}
+constinit Mutant eq_6_without_deltas{30, "Eq. 6: m(x) = mᵢ at xᵢ", "mass as a function"};
+/// The same with m(x′) = Σᵢ mᵢ δ(x′ − xᵢ).
+template <class G> double integrate_mass(G g) {
+    if (eq_6_without_deltas.applied()) return integrate_mass_as_printed(g);
+    const auto& d = disordered<2>();
+    double total = 0.0;
+    for (Index i = 0; i < d.size(); ++i) total += d.m[i] * near_delta(d.patch.x[i], 1e-4, g);
     return total;
 }
 double total_mass() {
@@ -204,6 +206,7 @@ const Register claims_of_density{
             .source = {Paper::adams2009, "Eq. 6"},
             .printed = "m(x) = mᵢ at x = xᵢ, 0 elsewhere: its integral is 0",
             .corrected = "m(x) = Σᵢ mᵢ δ(x − xᵢ)"},
+    &eq_6_without_deltas,
     Claim{.id = "density.volume_times_density_is_mass",
           .source = {Paper::adams2009, "Eq. 4"},
           .says = "Vᵢ ρᵢ = mᵢ for every sample",

@@ -2,9 +2,11 @@
 
 #include "solver/approximation/polynomial_basis.h"
 #include "solver/kernels/poly6.h"
+#include "verification/approximation/mls_under_test.h"
 #include "verification/approximation/printed_mls.h"
 #include "verification/framework/oracle.h"
 #include "verification/framework/registry.h"
+#include "verification/kernels/under_test.h"
 
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
@@ -12,6 +14,8 @@
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
+template <int Order, class K> using MlsShape = MlsUnderTest<Order, K>;
 
 constexpr double support(int order) { return order < 3 ? 2.8 : 3.6; }
 template <int Dim> Cloud<Dim> shifted_cloud(int order) {
@@ -200,6 +204,7 @@ const Register claims{
             .source = {Paper::adams2009, "Eqs. 29, 30"},
             .printed = "Eq. 30 is applied to the centred basis of Eq. 29, whose p(0) is constant",
             .corrected = "the centre is frozen at x: p((y − x)/h) is differentiated in y at y = x"},
+    &eq_30_with_centred_basis,
     Claim{.id = "mls_shape.slope_of_x_is_one",
           .source = {Paper::adams2009, "Eqs. 29-31"},
           .says = "∂⟨x⟩/∂x = 1 with a centred basis; as printed it is 0",

@@ -1,9 +1,11 @@
 #include "solver/approximation/mls_shape.h"
 
 #include "solver/kernels/poly6.h"
+#include "verification/approximation/mls_under_test.h"
 #include "verification/approximation/printed_mls.h"
 #include "verification/framework/property.h"
 #include "verification/framework/registry.h"
+#include "verification/kernels/under_test.h"
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
@@ -14,6 +16,8 @@
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
+template <int Order, class K> using MlsShape = MlsUnderTest<Order, K>;
 
 enum class Quantity { value, gradient, laplacian };
 
@@ -259,6 +263,7 @@ double own_weight_on_lattice() {
 }
 
 const Register squares{
+    &eq_21_at_the_point,
     Claim{.id = "mls_shape.minimises_the_weighted_squares",
           .source = {Paper::adams2009, "Eqs. 21-23"},
           .says =

@@ -3,12 +3,14 @@
 #include "solver/kernels/poly6.h"
 #include "verification/approximation/mls_cloud.h"
 #include "verification/framework/registry.h"
+#include "verification/kernels/under_test.h"
 
 #include <algorithm>
 
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
 /// The n samples closest to the point, in space.
 Cloud<3> closest(std::size_t n) {

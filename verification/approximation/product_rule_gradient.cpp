@@ -6,10 +6,12 @@
 #include "verification/approximation/poly6_fields.h"
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
+#include "verification/kernels/under_test.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
 template <int Dim> const Fields<Poly6<Dim>>& disordered() {
     static const Fields<Poly6<Dim>> fields(2.5);
@@ -18,9 +20,6 @@ template <int Dim> const Fields<Poly6<Dim>>& disordered() {
 
 constexpr auto mass_weighted = [](const auto& d, std::span<const double> f, Index i) {
     return gradient_mass_weighted(d.w, d.samples(), d.m, d.rho, f, i);
-};
-constexpr auto symmetric = [](const auto& d, std::span<const double> f, Index i) {
-    return gradient_symmetric(d.w, d.samples(), d.m, d.rho, f, i);
 };
 
 /// Eq. 19 with another sign between the quotients, or other weights than mⱼ.
@@ -40,6 +39,15 @@ constexpr auto with_minus = [](const auto& d, std::span<const double> f, Index i
 constexpr auto with_volumes = [](const auto& d, std::span<const double> f, Index i) {
     return symmetric_misread(d, f, i, 1.0, d.patch.V);
 };
+
+constinit Mutant eq_19_with_minus{38, "Eq. 19 with −", "symmetric gradient"};
+constinit Mutant eq_19_with_volumes{38, "Table 1: Eq. 19 with Vⱼ for mⱼ", "symmetric gradient"};
+constexpr auto symmetric = [](const auto& d, std::span<const double> f, Index i) {
+    if (eq_19_with_minus.applied()) return with_minus(d, f, i);
+    if (eq_19_with_volumes.applied()) return with_volumes(d, f, i);
+    return gradient_symmetric(d.w, d.samples(), d.m, d.rho, f, i);
+};
+const Register mutants_of_eq_19{&eq_19_with_minus, &eq_19_with_volumes};
 
 template <int Dim, class Form> double of_a_constant(Form form) {
     const auto& d = disordered<Dim>();

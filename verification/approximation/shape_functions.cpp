@@ -2,12 +2,16 @@
 
 #include "solver/approximation/mls_shape.h"
 #include "solver/kernels/poly6.h"
+#include "verification/approximation/mls_under_test.h"
 #include "verification/framework/patch.h"
 #include "verification/framework/registry.h"
+#include "verification/kernels/under_test.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
+template <int Order, class K> using MlsShape = MlsUnderTest<Order, K>;
 
 using Mls = MlsShape<1, Poly6<2>>;
 

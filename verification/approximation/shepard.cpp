@@ -5,12 +5,15 @@
 #include "solver/kernels/singular.h"
 #include "verification/approximation/invariances.h"
 #include "verification/approximation/poly6_fields.h"
+#include "verification/approximation/shepard_under_test.h"
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
+#include "verification/kernels/under_test.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
 template <int Dim> const Fields<Poly6<Dim>>& disordered() {
     static const Fields<Poly6<Dim>> fields(2.5);
@@ -33,7 +36,7 @@ template <int Dim, class Error> double worst_between_samples(int n_places, Error
 }
 
 constexpr auto by_shepard = [](const auto& d, std::span<const double> f, const auto& at) {
-    return shepard(d.w, d.samples(), f, at).value();
+    return shepard_under_test(d.w, d.samples(), f, at);
 };
 constexpr auto by_eq_3 = [](const auto& d, std::span<const double> f, const auto& at) {
     return interpolate(d.w, d.samples(), f, at);

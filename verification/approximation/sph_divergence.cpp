@@ -6,10 +6,12 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/lattice_sums.h"
 #include "verification/framework/registry.h"
+#include "verification/kernels/under_test.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
 template <int Dim> const Fields<Poly6<Dim>>& disordered() {
     static const Fields<Poly6<Dim>> fields(2.5);

@@ -3,6 +3,7 @@
 #include "solver/approximation/shepard.h"
 #include "solver/kernels/poly6.h"
 #include "verification/approximation/invariances.h"
+#include "verification/approximation/shepard_under_test.h"
 #include "verification/approximation/smoothing.h"
 #include "verification/framework/registry.h"
 
@@ -72,7 +73,7 @@ constexpr auto by_eq_3 = [](const auto& w, const auto& s, const auto& f, const a
     return interpolate(w, s, f, at);
 };
 constexpr auto by_shepard = [](const auto& w, const auto& s, const auto& f, const auto& at) {
-    return shepard(w, s, f, at).value();
+    return shepard_under_test(w, s, f, at);
 };
 
 /// max |Σ ω V − 1| at 50 places of a square lattice, h = 10 spacings; V of every tenth sample off.
@@ -136,6 +137,7 @@ const Register claims_of_sph_interpolation{
         .source = {Paper::adams2009, "Sec. 2"},
         .printed = "with mⱼ = 1 the density makes the weights of Eq. 3 sum to one, as Shepard's do",
         .corrected = "Vⱼ has the density at xⱼ, Shepard's weights are divided by that at x"},
+    &unit_masses_for_shepard,
     Claim{
         .id = "sph_interpolation.smoothing_tends_to_the_identity",
         .source = {Paper::adams2009, "Eqs. 1, 2"},

@@ -7,10 +7,12 @@
 #include "verification/approximation/poly6_fields.h"
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
+#include "verification/kernels/under_test.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
 template <int Dim> const Fields<Poly6<Dim>>& disordered() {
     static const Fields<Poly6<Dim>> fields(2.5);
@@ -141,6 +143,58 @@ double expected_difference() {
     const auto sums = lattice_sums(plane_lattices()[0], 2.5);
     return static_cast<double>(2 * sums.laplacian - 2 * sums.gradient * sums.gradient);
 }
+
+/// The orders of |Δx| by Eq. 15, and of |Δ1| by Eq. 11, which are 0 in truth.
+double order_for_linear_fields(double jitter) {
+    return order_under_refinement<Poly6<2>>(2.5, jitter, [](const auto& d) {
+        const auto x = d.patch.sample([](const Vec<2>& p) { return p[0]; });
+        return std::abs(difference(d, x, d.patch.centre));
+    });
+}
+double order_for_parabolas_on_lattice() {
+    return order_under_refinement<Poly6<2>>(2.5, 0.0, [](const auto& d) {
+        const auto y_squared = d.patch.sample([](const Vec<2>& p) { return p[1] * p[1]; });
+        return std::abs(difference(d, y_squared, d.patch.centre) - 2.0);
+    });
+}
+template <class Form> double order_for_constants(Form form) {
+    return order_under_refinement<Poly6<2>>(2.5, 0.3, [form](const auto& d) {
+        const std::vector<double> one(d.size(), 1.0);
+        return form(d, one, d.patch.centre);
+    });
+}
+constexpr auto size_of_summation = [](const auto& d, std::span<const double> f, Index i) {
+    return std::abs(laplacian_summation(d.w, d.samples(), f, d.samples().at(i)));
+};
+constexpr auto size_of_gradient = [](const auto& d, std::span<const double> f, Index i) {
+    return gradient_summation(d.w, d.samples(), f, d.samples().at(i)).norm();
+};
+const char* const why_whole_orders =
+    "halving all lengths multiplies every term by a power of two, exactly but for the logarithm";
+const Register orders{
+    Erratum{48,
+            {Paper::plumbline, "catalogue of formulas, Eqs. 11, 15 and Brookshaw's form"},
+            "on disorder the error of Eq. 15 stays as it is, that of Eq. 11 grows as 1/h, and "
+            "Brookshaw's form is of order 2 on lattices",
+            "on disorder Eq. 15 and Brookshaw's form diverge as 1/h, Eq. 11 as 1/h²; on lattices, "
+            "h/spacing fixed, all of them keep an error"},
+    Claim{.id = "sph_laplacian.difference_diverges_on_disorder",
+          .source = {Paper::adams2009, "Eq. 15"},
+          .says = "the Laplacian of a linear field by Eq. 15 on disordered samples grows as 1/h; "
+                  "only that of a parabola on a lattice stays",
+          .bound = between(-1.0 - 1e-12, -1.0 + 1e-12, why_whole_orders),
+          .measure = [] { return order_for_linear_fields(0.3); },
+          .sabotaged = order_for_parabolas_on_lattice,
+          .erratum = 48},
+    Claim{.id = "sph_laplacian.summation_diverges_on_disorder",
+          .source = {Paper::adams2009, "Eq. 11"},
+          .says =
+              "the Laplacian of a constant by Eq. 11 on disordered samples grows as 1/h², not as "
+              "1/h like the gradient of Eq. 9",
+          .bound = between(-2.0 - 1e-12, -2.0 + 1e-12, why_whole_orders),
+          .measure = [] { return order_for_constants(size_of_summation); },
+          .sabotaged = [] { return order_for_constants(size_of_gradient); },
+          .erratum = 48}};
 
 template <int Dim> double change_of_laplacian(bool scale_support) {
     return change_under_similarity<Poly6<Dim>>(2.5, 2, [=](auto d, Index i) {

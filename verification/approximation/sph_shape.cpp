@@ -8,10 +8,12 @@
 #include "solver/kernels/poly6.h"
 #include "verification/framework/patch.h"
 #include "verification/framework/registry.h"
+#include "verification/kernels/under_test.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
 /// A disordered patch in space, with volumes that differ, and its shape functions of SPH.
 struct Setting {

@@ -39,6 +39,16 @@ const std::vector<Erratum>& errata() {
     return all;
 }
 
+const std::vector<Mutant*>& mutants() {
+    static const std::vector<Mutant*> all = [] {
+        std::vector<Mutant*> sorted = entries<Mutant*>();
+        std::ranges::sort(sorted, {},
+                          [](const Mutant* m) { return std::pair(m->erratum, m->printed); });
+        return sorted;
+    }();
+    return all;
+}
+
 void Register::add(Claim claim) {
     claim.tags.push_back(claim.id.substr(0, claim.id.find('.')));
     entries<Claim>().push_back(std::move(claim));
@@ -48,5 +58,6 @@ void Register::add(Study study) {
     entries<Study>().push_back(std::move(study));
 }
 void Register::add(Erratum erratum) { entries<Erratum>().push_back(std::move(erratum)); }
+void Register::add(Mutant* mutant) { entries<Mutant*>().push_back(mutant); }
 
 }  // namespace verification

@@ -47,8 +47,8 @@ const Register standard_claims{
     kernel_claims<Poly6, Poly6Formula>({Paper::adams2009, "Eqs. 8, 10, 11, 86-91"})};
 
 constexpr double h = 0.7;
-const Poly6<2> w2(h);
-const Poly6<3> w3(h);
+const UnderTest<Poly6<2>> w2(h);
+const UnderTest<Poly6<3>> w3(h);
 
 /// The second moments that XSPH's viscosity needs, ∫ ω x² dV of one axis: h² / of_h2 expected.
 double second_moment_error(double of_h2_in_2d, double of_h2_in_3d) {

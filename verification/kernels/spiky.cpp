@@ -47,8 +47,8 @@ const Register standard_claims{
     kernel_claims<Spiky, SpikyFormula>({Paper::adams2009, "Eqs. 8, 10, 11, 92-97"})};
 
 constexpr double h = 0.7;
-const Spiky<2> w2(h);
-const Spiky<3> w3(h);
+const UnderTest<Spiky<2>> w2(h);
+const UnderTest<Spiky<3>> w3(h);
 
 double integral(const std::function<double(double)>& value) {
     return std::abs(integrate_radially<3>(h, value) - 1.0);
@@ -69,6 +69,10 @@ const Register claims_of_spiky{
             "coefficients of (90), (91), the exponent of (92), the condition d < h of (97); Table "
             "1 has Vⱼ for mⱼ",
         .corrected = "+ in (19); p(xᵢ); (x, y, z); −24/(πh²), 24/(πh²); (1 − d/h)³; 0 for d ≥ h"},
+    &eq_90_without_coefficient,
+    &eq_91_without_coefficient,
+    &eq_92_without_exponent,
+    &eq_97_without_condition,
     Claim{.id = "spiky.exponent_of_equation_92",
           .source = {Paper::adams2009, "Eqs. 8, 92"},
           .says = "∫ ω dV = 1 in space; with the exponent that the scan lost, 5",

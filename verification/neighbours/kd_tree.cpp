@@ -3,28 +3,11 @@
 #include "verification/framework/registry.h"
 #include "verification/neighbours/clouds.h"
 #include "verification/neighbours/searches.h"
+#include "verification/neighbours/under_test.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
-
-/// Algorithm 1 to the letter: the median of one axis after the other, those strictly below it to the
-/// left. Returns the depth at which it ends, or `guard` if it has not ended there: erratum 27.
-template <int Dim>
-int depth_of_algorithm_1(Points<Dim> points, std::size_t leaf_size, int axis, int guard) {
-    if (points.size() <= leaf_size || guard == 0) return 0;
-    const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
-    const auto below = [axis](const Vec<Dim>& a, const Vec<Dim>& b) { return a[axis] < b[axis]; };
-    std::nth_element(points.begin(), middle, points.end(), below);
-    const Vec<Dim> split = *middle;
-    const auto end_of_left = std::partition(
-        points.begin(), points.end(), [&](const Vec<Dim>& x) { return x[axis] < split[axis]; });
-    const int next = (axis + 1) % Dim;
-    return 1 +
-           std::max(
-               depth_of_algorithm_1<Dim>({points.begin(), end_of_left}, leaf_size, next, guard - 1),
-               depth_of_algorithm_1<Dim>({end_of_left, points.end()}, leaf_size, next, guard - 1));
-}
 
 constexpr Index leaf_size = 8;
 const Points<3> nine_coincident(9, Vec<3>(0.1, 0.2, 0.3));
@@ -35,17 +18,17 @@ Points<3> on_corners_of_a_cube() {
     return points;
 }
 
-template <int Dim> double nodes_of(const Points<Dim>& points) {
-    KdTree<Dim> tree({}, leaf_size);
+template <int Dim> double nodes_of(const Points<Dim>& points, Index largest_leaf = leaf_size) {
+    KdTreeUnderTest<Dim> tree({}, largest_leaf);
     tree.build(points, 1.0);
     return static_cast<double>(tree.nodes());
 }
 
 /// The worst over all clouds of nodes / (2 ⌈n / (leaf_size / 2)⌉), the most that halving can make.
-double nodes_over_most() {
+double nodes_over_most(Index largest_leaf) {
     double worst = 0.0;
     for (const auto& cloud : hard_clouds<3>(3000))
-        worst = std::max(worst, nodes_of(cloud.points) /
+        worst = std::max(worst, nodes_of(cloud.points, largest_leaf) /
                                     (2.0 * std::ceil(static_cast<double>(cloud.points.size()) /
                                                      (leaf_size / 2))));
     return worst;
@@ -59,7 +42,7 @@ double wrong_for_other_leaves(double radius_factor) {
         oracle.build(cloud.points, cloud.radius);
         const auto expected = oracle.query(cloud.points);
         for (const Index leaf : {1u, 2u, 50u, 5000u}) {
-            KdTree<2> tree({}, leaf);
+            KdTreeUnderTest<2> tree({}, leaf);
             tree.build(cloud.points, cloud.radius * radius_factor);
             wrong += static_cast<double>(wrong_pairs(tree.query(cloud.points), expected));
         }
@@ -70,7 +53,7 @@ double wrong_for_other_leaves(double radius_factor) {
 /// Nodes visited by a query for a ball that holds no point, but the one at its centre.
 double nodes_visited(Index n) {
     const Points<3> points = uniform_random(unit_box<3>(), n, 8);
-    KdTree<3> tree({}, leaf_size);
+    KdTreeUnderTest<3> tree({}, leaf_size);
     tree.build(points, 1e-9);
     double visited = 0.0;
     for (Index i = 0; i < 1000; ++i)
@@ -120,12 +103,13 @@ const Register claims_of_kd_tree{
         "S_l = {x : x[axis] < median}, until |S| ≤ s: does not end where more than s points have "
         "no point strictly below their median on any axis, e.g. coincide",
         "split by rank, n/2 points on either side; points that coincide are one leaf"},
+    &alg_1_by_value,
     Claim{.id = "kd_tree.ends_on_coincident_points",
           .source = {Paper::adams2009, "Alg. 1"},
           .says = "nine points that coincide, leaf size 8, are one node",
           .bound = at_most(1.0, "a box without extent cannot be split"),
           .measure = [] { return nodes_of(nine_coincident); },
-          .sabotaged = [] { return depth_of_algorithm_1(nine_coincident, leaf_size, 0, 1000); },
+          .sabotaged = [] { return depth_of_algorithm_1<3>(nine_coincident, leaf_size, 0, 1000); },
           .erratum = 27},
     Claim{
         .id = "kd_tree.depth_with_tied_coordinates",
@@ -134,7 +118,7 @@ const Register claims_of_kd_tree{
         .bound = at_most(2.0 * 512 / (leaf_size / 2), "halving ends at leaves of 4 points or more"),
         .measure = [] { return nodes_of(on_corners_of_a_cube()); },
         .sabotaged =
-            [] { return depth_of_algorithm_1(on_corners_of_a_cube(), leaf_size, 0, 1000); },
+            [] { return depth_of_algorithm_1<3>(on_corners_of_a_cube(), leaf_size, 0, 1000); },
         .erratum = 27},
     Claim{.id = "kd_tree.is_balanced",
           .source = {Paper::adams2009, "Sec. 5.1"},
@@ -142,7 +126,8 @@ const Register claims_of_kd_tree{
               "a tree has at most 2n / (s/2) nodes on every cloud: log₂ n levels of n points each "
               "to sort, hence O(n log n)",
           .bound = at_most(1.0, "halves differ by one point at most, so a leaf has s/2 or more"),
-          .measure = nodes_over_most},
+          .measure = [] { return nodes_over_most(leaf_size); },
+          .sabotaged = [] { return nodes_over_most(1); }},
     Claim{.id = "kd_tree.lists_do_not_depend_on_leaves",
           .source = {Paper::adams2009, "Alg. 2"},
           .says = "leaves of 1, 2, 50 and 5000 points give the lists of brute force on every cloud",

@@ -84,9 +84,9 @@ template <int Dim, template <int, class> class Search> double wrong_in_periodic_
     return wrong;
 }
 
-template <int Dim, template <int, class> class Search>
+template <int Dim, template <int, class> class Search,
+          class InOpenSpace = Search<Dim, OpenSpace<Dim>>>
 void add_claims(std::vector<Claim>& claims, const Source& source) {
-    using InOpenSpace = Search<Dim, OpenSpace<Dim>>;
     const std::string name(InOpenSpace::name), dim = std::to_string(Dim) + "d";
     const Bound none = at_most(0.0,
                                "each search decides by the same floating-point expression, so "
@@ -121,8 +121,10 @@ template <int Dim, class Space> using LeafTreeInDouble = LeafTree<Dim, Space>;
 template <int Dim, class Space> using HashGridOfRadius = HashGrid<Dim, HashSpacing::radius, Space>;
 
 template <int Dim> void add_claims_of_all(std::vector<Claim>& claims) {
-    add_claims<Dim, KdTree>(claims, {Paper::adams2009, "Algs. 1, 2; Sec. 5.1"});
-    add_claims<Dim, HashGridOfDiameter>(claims, {Paper::adams2009, "Algs. 3, 4; Eqs. 42, 43"});
+    add_claims<Dim, KdTree, KdTreeUnderTest<Dim>>(claims,
+                                                  {Paper::adams2009, "Algs. 1, 2; Sec. 5.1"});
+    add_claims<Dim, HashGridOfDiameter, HashGridUnderTest<Dim>>(
+        claims, {Paper::adams2009, "Algs. 3, 4; Eqs. 42, 43"});
     add_claims<Dim, HashGridOfRadius>(claims, {Paper::adams2009, "Algs. 3, 4; Sec. 5.2"});
     add_claims<Dim, CellGridInDouble>(claims, {Paper::adams2009, "Sec. 5"});
     add_claims<Dim, LeafTreeInDouble>(claims, {Paper::adams2009, "Sec. 5.1"});

@@ -5,9 +5,26 @@
 #include "solver/neighbours/space.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace verification {
+
+/// Eq. 43 in the arithmetic of `int`, as a programmer would take it from the text: erratum 26.
+template <int Dim> int printed_hash(const plumbline::Cell<Dim>& cell, int table_size) {
+    constexpr std::array<std::uint32_t, 3> prime{73856093, 19349663, 83492791};
+    std::int32_t mixed = 0;
+    for (std::size_t a = 0; a < Dim; ++a)
+        mixed ^= static_cast<std::int32_t>(static_cast<std::uint32_t>(cell[a]) * prime[a]);
+    return mixed % table_size;
+}
+/// Algorithm 3: H ← H + pᵢ xᵢ, and no modulus.
+template <int Dim> std::uint64_t printed_sum(const plumbline::Cell<Dim>& cell) {
+    constexpr std::array<std::uint64_t, 3> prime{73856093, 19349663, 83492791};
+    std::uint64_t sum = 0;
+    for (std::size_t a = 0; a < Dim; ++a) sum += prime[a] * static_cast<std::uint64_t>(cell[a]);
+    return sum;
+}
 
 /// Algorithm 4 to the letter, with the cells in a map, so that nothing but the choice of cells counts:
 /// the 2^Dim cells nearest to x, of a grid whose spacing d is any number of radii. Its caption says

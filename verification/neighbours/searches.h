@@ -5,6 +5,7 @@
 #include "solver/neighbours/hash_grid.h"
 #include "solver/neighbours/kd_tree.h"
 #include "solver/neighbours/leaf_tree.h"
+#include "verification/neighbours/under_test.h"
 
 #include <algorithm>
 
@@ -20,8 +21,14 @@ template <int Dim, class Space, class Visit> void for_each_search(const Space& s
     visit(CellGrid<Dim, Space>(space));
     visit(LeafTree<Dim, Space>(space));
 }
+/// The same in open space, the searches of adams2009 by way of their seams.
 template <int Dim, class Visit> void for_each_search(Visit visit) {
-    for_each_search<Dim>(plumbline::OpenSpace<Dim>{}, visit);
+    using namespace plumbline;
+    visit(KdTreeUnderTest<Dim>());
+    visit(HashGridUnderTest<Dim>());
+    visit(HashGrid<Dim, HashSpacing::radius>());
+    visit(CellGrid<Dim>());
+    visit(LeafTree<Dim>());
 }
 
 /// Pairs that one of two lists has and the other has not, and pairs listed twice.
