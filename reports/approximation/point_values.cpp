@@ -1,5 +1,6 @@
 #include "reports/approximation/point_values.h"
 
+#include "reports/approximation/any_kernel.h"
 #include "solver/approximation/density.h"
 #include "solver/approximation/mlsph_shape.h"
 #include "solver/approximation/mueller_gradient.h"
@@ -93,14 +94,14 @@ std::vector<PointValue> by_shape_functions(const Inputs<Dim>& in, const Method& 
     });
 }
 
-template <RadialKernel K>
-std::vector<PointValue> by_shepard(const K& w, const Inputs<K::dim>& in,
-                                   const Samples<K::dim>& samples) {
+template <int Dim>
+std::vector<PointValue> by_shepard(const AnyKernel<Dim>& w, const Inputs<Dim>& in,
+                                   const Samples<Dim>& samples) {
     return at_all(in.at.size(), [&](Index i) {
         const auto place = in.place(i);
         PointValue p;
         if (const auto gradient = shepard_gradient(w, samples, in.f, place)) {
-            p = {shepard(w, samples, in.f, place), components<K::dim>(*gradient),
+            p = {shepard(w, samples, in.f, place), components<Dim>(*gradient),
                  shepard_laplacian(w, samples, in.f, place), "ok"};
         }
         return stated(p, place.neighbours.empty() ? "no_neighbours" : "not_finite");
@@ -119,9 +120,10 @@ template <int Dim> std::optional<std::string> not_one_sample(const Inputs<Dim>& 
     return std::nullopt;
 }
 
-template <RadialKernel K>
-std::vector<PointValue> by_mueller(const K& w, const Inputs<K::dim>& in, const Method& method) {
-    auto points = by_shape_functions<K::dim>(in, method, {MuellerShape<K>(w)});
+template <int Dim>
+std::vector<PointValue> by_mueller(const AnyKernel<Dim>& w, const Inputs<Dim>& in,
+                                   const Method& method) {
+    auto points = by_shape_functions<Dim>(in, method, {MuellerShape<AnyKernel<Dim>>(w)});
     for (Index i = 0; i < points.size(); ++i) {
         if (const auto why = not_one_sample(in, i))
             points[i] = {{}, {}, {}, *why};
@@ -131,9 +133,11 @@ std::vector<PointValue> by_mueller(const K& w, const Inputs<K::dim>& in, const M
     return points;
 }
 
-template <RadialKernel K> AnyShape<K::dim> moving_least_squares(const K& w, const Method& method) {
+template <int Dim>
+AnyShape<Dim> moving_least_squares(const AnyKernel<Dim>& w, const Method& method) {
+    using K = AnyKernel<Dim>;
     const bool variable = method.family == Family::mlsph;
-    const auto choose = [&]<int Order>() -> AnyShape<K::dim> {
+    const auto choose = [&]<int Order>() -> AnyShape<Dim> {
         if (variable) return {MlsphShape<Order, K>(w)};
         return {MlsShape<Order, K>(w)};
     };
@@ -149,12 +153,14 @@ template <RadialKernel K> AnyShape<K::dim> moving_least_squares(const K& w, cons
     }
 }
 
-template <RadialKernel K>
-std::vector<PointValue> with_kernel(const K& w, const Inputs<K::dim>& in, const Method& method) {
+template <int Dim>
+std::vector<PointValue> with_kernel(const AnyKernel<Dim>& w, const Inputs<Dim>& in,
+                                    const Method& method) {
+    using K = AnyKernel<Dim>;
     switch (method.family) {
         case Family::mls:
         case Family::mlsph:
-            return by_shape_functions<K::dim>(in, method, moving_least_squares(w, method));
+            return by_shape_functions<Dim>(in, method, moving_least_squares(w, method));
         case Family::mueller:
             return by_mueller(w, in, method);
         case Family::sph:
@@ -162,15 +168,15 @@ std::vector<PointValue> with_kernel(const K& w, const Inputs<K::dim>& in, const 
             break;
     }
     const auto V = volumes<K>(w, in.x, in.mass, in.among_samples);
-    const Samples<K::dim> samples{in.x, V, in.among_samples};
+    const Samples<Dim> samples{in.x, V, in.among_samples};
     if (method.family == Family::shepard) return by_shepard(w, in, samples);
-    return by_shape_functions<K::dim>(in, method, {SphShape<K>(w, samples)});
+    return by_shape_functions<Dim>(in, method, {SphShape<K>(w, samples)});
 }
 
 template <int Dim> std::vector<PointValue> in_dimension(const ApproximationTask& task) {
     std::vector<PointValue> points;
     AllKernels::with<Dim>(task.kernel, task.support, [&](const auto& w) {
-        points = with_kernel(w, Inputs<Dim>(task), task.method);
+        points = with_kernel(AnyKernel<Dim>(w), Inputs<Dim>(task), task.method);
     });
     return points;
 }

@@ -1,6 +1,6 @@
 #include "solver/approximation/moment_inverse.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <limits>
 
 namespace plumbline {
@@ -16,18 +16,23 @@ std::optional<MomentInverse<Eigen::MatrixXd>> graded_inverse(const Eigen::Matrix
     Eigen::Index begin = 0;
     for (const Eigen::Index end : degree_ends) {
         const Eigen::Index n = end - begin, rest = N - end;
-        const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(schur.block(begin, begin, n, n));
-        const Eigen::VectorXd inverted = eigen.eigenvalues().unaryExpr(
+        // A block is symmetric and, but for rounding far below the cut-off, has no negative eigenvalue:
+        // then its singular vectors are its eigenvectors.
+        const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(
+            schur.block(begin, begin, n, n), Eigen::ComputeFullU);
+        const Eigen::VectorXd inverted = svd.singularValues().unaryExpr(
             [&](double value) { return value > moment_cut_off * largest ? 1.0 / value : 0.0; });
-        const MatrixXd& vectors = eigen.eigenvectors();
-        const MatrixXd block_inverse = vectors * inverted.asDiagonal() * vectors.transpose();
+        const MatrixXd& vectors = svd.matrixU();
+        const MatrixXd block_inverse =
+            (vectors * inverted.asDiagonal()).lazyProduct(vectors.transpose());
         result.rank += static_cast<int>((inverted.array() > 0.0).count());
         if (result.rank == 0) return std::nullopt;
-        result.inverse +=
-            T.middleCols(begin, n) * block_inverse * T.middleCols(begin, n).transpose();
-        const MatrixXd across = schur.block(begin, end, n, rest), solved = block_inverse * across;
-        schur.bottomRightCorner(rest, rest) -= across.transpose() * solved;
-        T.rightCols(rest) -= T.middleCols(begin, n) * solved;
+        const MatrixXd basis = T.middleCols(begin, n), scaled = basis.lazyProduct(block_inverse);
+        result.inverse += scaled.lazyProduct(basis.transpose());
+        const MatrixXd across = schur.block(begin, end, n, rest);
+        const MatrixXd solved = block_inverse.lazyProduct(across);
+        schur.bottomRightCorner(rest, rest) -= across.transpose().lazyProduct(solved);
+        T.rightCols(rest) -= basis.lazyProduct(solved);
         begin = end;
     }
     result.condition = one_norm(M) * one_norm(result.inverse);
