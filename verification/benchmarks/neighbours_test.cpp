@@ -242,7 +242,7 @@ TEST_CASE("a comparison refuses what makes no sense or does not fit into memory"
     CHECK_THROWS_AS(compare(make_cloud<3>({.count = 8}), how), InvalidInput);
 }
 
-TEST_CASE("one point, and points that coincide, can be compared; an update is measured") {
+TEST_CASE("one point, and points that coincide, can be compared, and an update is measured") {
     ComparisonOptions how;
     how.least = how.most = 2;
     how.moved = 0.5;

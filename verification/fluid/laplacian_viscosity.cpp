@@ -46,11 +46,31 @@ template <int Dim, class Force> double power_of_a_close_pair(Force force) {
     return power<Dim>(evaluated<Dim>(pair, force));
 }
 
+/// max ‖2 a′ − a‖ / max ‖a‖, a′ with twice the density and the same μ.
+template <int Dim, class Force> double change_with_density(Force force) {
+    Drop<Dim> drop;
+    const auto light = evaluated<Dim>(drop, force);
+    for (double& m : drop.m) m *= 2.0;
+    auto doubled = evaluated<Dim>(drop, force).template get<Accelerations<Dim>>();
+    for (auto& a : doubled) a *= 2.0;
+    return largest_difference<Dim>(doubled, light.template get<Accelerations<Dim>>());
+}
+
 const Register linear{in_dimensions<2, 3>([]<int D>() {
     return linear_momentum(
         "laplacian_viscosity", {Paper::adams2009, "Eqs. 46, 48, 52; Sec. 6.2"},
         [] { return net_force_of<D>(corrected<D>()); },
         [] { return net_force_of<D>(printed<D>()); }, 18);
+})};
+const Register density{in_dimensions<2, 3>([]<int D>() {
+    return Claim{
+        .id = "laplacian_viscosity.has_the_unit_of_an_acceleration",
+        .source = {Paper::adams2009, "Eqs. 44, 46, 48"},
+        .says = "μ Δv / ρ: the same μ accelerates a fluid of twice the density half as much",
+        .bound = at_most(0.0, "factors of two are exact"),
+        .measure = [] { return change_with_density<D>(corrected<D>()); },
+        .sabotaged = [] { return change_with_density<D>(printed<D>()); },
+        .erratum = 39};
 })};
 const Register frames{in_dimensions<2, 3>([]<int D>() {
     return galilean(
