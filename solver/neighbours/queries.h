@@ -5,7 +5,7 @@
 #include "solver/neighbours/space.h"
 
 #include <atomic>
-#include <cstdio>
+#include <charconv>
 #include <limits>
 
 namespace plumbline {
@@ -17,8 +17,7 @@ template <class Real> constexpr double smallest_radius = 1.0 / largest_length<Re
 
 inline std::string as_text(double x) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.17g", x);
-    return text;
+    return {text, std::to_chars(text, text + sizeof text, x).ptr};
 }
 
 /// Throws InvalidInput unless smallest_radius ≤ radius ≤ largest_length and the space allows it.

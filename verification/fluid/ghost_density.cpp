@@ -56,7 +56,8 @@ const Register masses{in_dimensions<2, 3>([]<int D>() {
         .bound = at_most(2e-15, "up to 10 terms: 10 · 1.1e-16, and the quotient"),
         .measure =
             [] { return std::max(error_of_masses<D>(0.7, false), error_of_masses<D>(3.0, false)); },
-        .sabotaged = [] { return error_of_masses<D>(0.7, true); }};
+        .sabotaged = [] { return error_of_masses<D>(0.7, true); },
+        .erratum = 36};
 })};
 const Register erratum_of_ghosts{
     Erratum{36,

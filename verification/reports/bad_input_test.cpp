@@ -112,7 +112,7 @@ const std::vector<BadInput> table{
     {samples("long_row.csv"), "long_row.csv:2:"},
     {samples("no_field.csv"), "no_field.csv: expected a column \"f\", found coordinates only"},
     {samples("negative_mass.csv"), "expected a positive finite mass, found -1"},
-    {samples("far_away.csv"), "expected a finite coordinate below 1e150"},
+    {samples("far_away.csv"), "expected a finite coordinate below 1e+150"},
     {samples("picture.csv"), "picture.csv:1:1: expected text, found a PNG image"},
     {samples("cut.ply"), "cut.ply: vertex 2 of 2: expected its values, found the end of the file"},
     {samples("cut.vtp"), "cut.vtp:1: expected well-formed XML"},

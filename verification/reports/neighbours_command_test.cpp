@@ -56,7 +56,7 @@ TEST_CASE("plumbline neighbours says what an option must be") {
     const ScratchFolder folder;
     folder.write("three.csv", three_points);
     const std::vector<std::pair<std::vector<std::string>, std::string>> table{
-        {{"--points", "three.csv", "--radius", "0"}, "expected a radius in [1e-150, 1e150]"},
+        {{"--points", "three.csv", "--radius", "0"}, "expected a radius in [1e-150, 1e+150]"},
         {{"--points", "three.csv", "--radius", "wide"}, "Could not convert: --radius = wide"},
         {{"--points", "three.csv", "--cloud", "line"}, "--points excludes --cloud"},
         {{"--points", "three.csv", "--radius", "1", "--own-radii"}, "expected none beside"},
