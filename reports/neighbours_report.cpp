@@ -28,10 +28,12 @@ void add_standing(const CaseResult& c, Json& searches) {
     const auto places = places_of(c);
     for (std::size_t k = 0; k < c.searches.size(); ++k) {
         const SearchResult& s = c.searches[k];
-        if (places[k] == Places{}) continue;
+        if (!s.agrees()) continue;
         const bool is_fastest = &s == standing.best.front();
-        searches[k]["first_place"] = places[k].first;
-        searches[k]["last_place"] = places[k].last;
+        if (places[k] != Places{}) {
+            searches[k]["first_place"] = places[k].first;
+            searches[k]["last_place"] = places[k].last;
+        }
         searches[k]["over_fastest"] = json_of_ratio(
             is_fastest ? Ratio{1, 1, 1} : ratio_of(s, *standing.best.front(), total_cost, c.noise));
     }
@@ -76,10 +78,13 @@ std::string in_words(const CaseResult& c) {
 
 Json json_of(const SearchResult& s) {
     Json json = {{"search", s.name},
+                 {"form", s.form},
+                 {"is_full_answer", s.is_full_answer},
                  {"wrong_pairs", s.wrong_pairs},
                  {"cold_build_s", number(s.cold_build_s)},
                  {"cold_query_s", number(s.cold_query_s)},
                  {"held_bytes", s.held_bytes},
+                 {"lists_bytes", s.lists_bytes},
                  {"peak_bytes", s.peak_bytes ? Json(*s.peak_bytes) : Json()}};
     if (s.runs.build.empty()) return json;
     json["build"] = json_of_runs(s.runs.build);

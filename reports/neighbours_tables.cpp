@@ -13,6 +13,7 @@ using namespace benchmarks;
 
 namespace {
 std::string place_in_words(const Places& places) {
+    if (places == Places{}) return "-";
     return places.first == places.last ? fmt::format("{}", places.first)
                                        : fmt::format("{}-{}", places.first, places.last);
 }
@@ -60,12 +61,17 @@ std::string table_of(const CaseResult& c) {
     const auto places = places_of(c);
     for (std::size_t k = 0; k < c.searches.size(); ++k) {
         const SearchResult& s = c.searches[k];
-        text += s.agrees() ? row_of(c, s, places[k], *standing.best.front())
-                           : fmt::format("{:<16} DISAGREES: {} wrong pairs; not timed\n", s.name,
-                                         s.wrong_pairs);
+        text += s.agrees()
+                    ? row_of(c, s, places[k], standing.best.empty() ? s : *standing.best.front())
+                    : fmt::format("{:<16} DISAGREES: {} wrong pairs; not timed\n", s.name,
+                                  s.wrong_pairs);
     }
     constexpr double busy = 0.2;  // an idle machine shows a few per cent
     if (c.noise > busy) text += "the machine is busy: measure again when it is not\n";
+    for (const SearchResult& s : c.searches)
+        if (s.form != SearchResult{}.form)
+            text += fmt::format("{}: {}{}\n", s.name, s.form,
+                                s.is_full_answer ? "" : "; another answer, so without a place");
     return text + fmt::format("use {}\n\n", recommendation(c));
 }
 

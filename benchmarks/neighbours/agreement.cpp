@@ -46,30 +46,35 @@ std::size_t affordable_rows(std::size_t points, double pairs) {
     return static_cast<std::size_t>(std::clamp(std::floor(pairs / std::max(n, 1.0)), 1.0, n));
 }
 
-template <int Dim>
+template <class Real, int Dim>
 std::size_t wrong_against_brute_force(const PointCloud<Dim>& cloud, const NeighbourLists& lists,
                                       std::size_t rows) {
     if (lists.size() != cloud.points.size()) return std::max<std::size_t>(1, cloud.points.size());
-    Points<Dim> queries;
+    std::vector<VecOf<Real, Dim>> points, queries;
+    for (const Vec<Dim>& x : cloud.points) points.push_back(x.template cast<Real>());
     std::vector<double> radii;
     NeighbourLists found{{0}, {}};
     for (std::size_t k = 0; k < rows; ++k) {
-        const auto i = static_cast<Index>(k * cloud.points.size() / rows);
-        queries.push_back(cloud.points[i]);
+        const auto i = static_cast<Index>(k * points.size() / rows);
+        queries.push_back(points[i]);
         radii.push_back(radius_of(cloud, i));
         found.indices.insert(found.indices.end(), lists.of(i).begin(), lists.of(i).end());
         found.offsets.push_back(found.indices.size());
     }
-    BruteForce<Dim> oracle;
-    oracle.build(cloud.points, cloud.radius);
+    BruteForce<Dim, OpenSpace<Dim>, Real> oracle;
+    oracle.build(points, cloud.radius);
     return verification::wrong_pairs(found, oracle.query(queries, radii));
 }
 
 template void require_affordable<2>(const PointCloud<2>&);
 template void require_affordable<3>(const PointCloud<3>&);
-template std::size_t wrong_against_brute_force<2>(const PointCloud<2>&, const NeighbourLists&,
-                                                  std::size_t);
-template std::size_t wrong_against_brute_force<3>(const PointCloud<3>&, const NeighbourLists&,
-                                                  std::size_t);
+template std::size_t wrong_against_brute_force<double, 2>(const PointCloud<2>&,
+                                                          const NeighbourLists&, std::size_t);
+template std::size_t wrong_against_brute_force<double, 3>(const PointCloud<3>&,
+                                                          const NeighbourLists&, std::size_t);
+template std::size_t wrong_against_brute_force<float, 2>(const PointCloud<2>&,
+                                                         const NeighbourLists&, std::size_t);
+template std::size_t wrong_against_brute_force<float, 3>(const PointCloud<3>&,
+                                                         const NeighbourLists&, std::size_t);
 
 }  // namespace benchmarks

@@ -13,8 +13,8 @@ template <int Dim> void require_affordable(const PointCloud<Dim>& cloud);
 std::size_t affordable_rows(std::size_t points, double pairs);
 
 /// Pairs that the lists have and brute force has not, or the reverse, over `rows` rows that are spread
-/// evenly over all.
-template <int Dim>
+/// evenly over all; positions and distances in the precision Real.
+template <class Real = double, int Dim>
 std::size_t wrong_against_brute_force(const PointCloud<Dim>& cloud,
                                       const plumbline::NeighbourLists& lists, std::size_t rows);
 

@@ -31,14 +31,24 @@ private:
     int before_;
 };
 
-/// The points after a step: so large a share of them moved by up to 0.05 spacings along each axis.
-template <int Dim> PointCloud<Dim> moved_cloud(PointCloud<Dim> cloud, double share) {
+/// How many steps an update of a search's own is averaged over: it may be dear now and then.
+constexpr int steps_per_round = 8;
+
+/// The points after each of the steps: so large a share of them moves, always the same way, by up to 0.05
+/// spacings per step along each axis.
+template <int Dim>
+std::vector<PointCloud<Dim>> moved_clouds(const PointCloud<Dim>& cloud, double share) {
     const double far = 0.05 * cloud.radius / usual_spacings;
+    std::vector<PointCloud<Dim>> steps(steps_per_round, cloud);
     Random random(7);
-    for (Vec<Dim>& x : cloud.points)
-        if (random.uniform() < share)
-            for (int axis = 0; axis < Dim; ++axis) x[axis] += random.uniform(-far, far);
-    return cloud;
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+        if (!(random.uniform() < share)) continue;
+        Vec<Dim> velocity;
+        for (int axis = 0; axis < Dim; ++axis) velocity[axis] = random.uniform(-far, far);
+        for (std::size_t k = 0; k < steps.size(); ++k)
+            steps[k].points[i] += static_cast<double>(k + 1) * velocity;
+    }
+    return steps;
 }
 
 double unevenness_of(const NeighbourLists& lists) {
@@ -60,13 +70,18 @@ public:
         : cloud_{cloud}, options_{options}, result_{result} {}
 
     void check_agreement() {
-        if (options_.moved) moved_ = moved_cloud(cloud_, *options_.moved);
+        if (options_.moved) moved_ = moved_clouds(cloud_, *options_.moved);
         parallel_for(
             static_cast<std::size_t>(2 * thread_count()), [](std::size_t) {}, 1);
         for (const std::string& name : options_.searches) {
             options_.progress(name);
-            result_.searches.push_back({.name = name});
-            first_run(result_.searches.back());
+            auto contestant = make_contestant<Dim>(name);
+            if (!cloud_.radii.empty() && !contestant->has_own_radii()) continue;
+            result_.searches.push_back({.name = name,
+                                        .form = contestant->form(),
+                                        .is_full_answer = contestant->is_full_answer()});
+            all_.push_back(std::move(contestant));
+            first_run(*all_.back(), result_.searches.back());
         }
     }
 
@@ -101,56 +116,74 @@ public:
 
 private:
     /// Cold, counted, and compared with brute force or with the search that was.
-    void first_run(SearchResult& search) {
+    void first_run(Contestant<Dim>& contestant, SearchResult& search) {
         NeighbourLists lists;
+        contestant.take(cloud_.points);
         empty_caches();
         const PeakMemory peak;
         const std::size_t before = allocated_bytes();
-        all_.push_back(make_contestant<Dim>(search.name));
-        Contestant<Dim>& contestant = *all_.back();
-        search.cold_build_s = seconds_of([&] { contestant.build(cloud_.points, cloud_.radius); });
+        search.cold_build_s = seconds_of([&] { contestant.build(cloud_.radius); });
         search.held_bytes = allocated_bytes() - before;
-        search.cold_query_s =
-            seconds_of([&] { contestant.query(cloud_.points, cloud_.radii, lists); });
-        const std::size_t lists_bytes =
-            lists.indices.size() * sizeof(Index) + lists.offsets.size() * sizeof(std::size_t);
+        search.cold_query_s = seconds_of([&] { contestant.query(cloud_.radii, lists); });
+        search.lists_bytes = contestant.answer_bytes(lists);
         if (const auto most = peak.bytes())
-            search.peak_bytes = *most > lists_bytes ? *most - lists_bytes : 0;
-        if (result_.searches.size() == 1) {
-            result_.brute_force_rows = affordable_rows(result_.count, options_.brute_force_pairs);
-            result_.lists_bytes = lists_bytes;
-            result_.mean_neighbours =
-                static_cast<double>(lists.indices.size()) / static_cast<double>(result_.count);
-            result_.unevenness = unevenness_of(lists);
-            search.wrong_pairs = wrong_against_brute_force(cloud_, lists, result_.brute_force_rows);
-            lists_ = lists;
-        } else if (result_.searches.front().agrees()) {
-            search.wrong_pairs = verification::wrong_pairs(lists, lists_);
-        } else {
-            search.wrong_pairs = wrong_against_brute_force(cloud_, lists, result_.brute_force_rows);
+            search.peak_bytes = *most > search.lists_bytes ? *most - search.lists_bytes : 0;
+        NeighbourLists answer = contestant.answer(lists);
+        search.wrong_pairs = wrong_pairs(contestant, cloud_, answer);
+        if (all_.size() == 1) keep(std::move(answer));
+        if (moved_.empty() || !contestant.has_update()) return;
+        for (const PointCloud<Dim>& step : moved_) {
+            contestant.take(step.points);
+            contestant.update();
+            contestant.query(step.radii, lists);
+            search.wrong_pairs += wrong_against_brute_force(step, contestant.answer(lists),
+                                                            affordable_rows(result_.count, 1e7));
         }
-        if (moved_.points.empty() || !contestant.has_update()) return;
-        contestant.update(moved_.points);
-        contestant.query(moved_.points, moved_.radii, lists);
-        search.wrong_pairs += wrong_against_brute_force(moved_, lists, result_.brute_force_rows);
+    }
+
+    std::size_t wrong_pairs(const Contestant<Dim>& contestant, const PointCloud<Dim>& cloud,
+                            const NeighbourLists& answer) const {
+        const std::size_t rows = affordable_rows(result_.count, options_.brute_force_pairs);
+        if (contestant.is_single_precision())
+            return wrong_against_brute_force<float>(cloud, answer, rows);
+        if (all_.size() == 1 || !result_.searches.front().agrees() ||
+            all_.front()->is_single_precision())
+            return wrong_against_brute_force(cloud, answer, rows);
+        return verification::wrong_pairs(answer, lists_);
+    }
+
+    /// The lists of the first search are what the others are compared with.
+    void keep(NeighbourLists answer) {
+        lists_ = std::move(answer);
+        const auto pairs = static_cast<double>(lists_.indices.size());
+        result_.brute_force_rows = affordable_rows(result_.count, options_.brute_force_pairs);
+        result_.lists_bytes = result_.searches.front().lists_bytes;
+        result_.mean_neighbours = pairs / static_cast<double>(result_.count);
+        result_.unevenness = unevenness_of(lists_);
     }
 
     void run(Contestant<Dim>& search, Runs& runs) {
-        runs.build.push_back(seconds_of([&] { search.build(cloud_.points, cloud_.radius); }));
-        runs.query.push_back(
-            seconds_of([&] { search.query(cloud_.points, cloud_.radii, lists_); }));
-        if (moved_.points.empty()) return;
-        runs.update.push_back(seconds_of([&] { search.update(moved_.points); }));
-        runs.requery.push_back(
-            seconds_of([&] { search.query(moved_.points, moved_.radii, lists_); }));
+        search.take(cloud_.points);
+        runs.build.push_back(seconds_of([&] { search.build(cloud_.radius); }));
+        runs.query.push_back(seconds_of([&] { search.query(cloud_.radii, lists_); }));
+        if (moved_.empty()) return;
+        const std::size_t steps = search.has_update() ? moved_.size() : 1;
+        double update = 0.0, requery = 0.0;
+        for (std::size_t k = 0; k < steps; ++k) {
+            search.take(moved_[k].points);
+            update += seconds_of([&] { search.update(); });
+            requery += seconds_of([&] { search.query(moved_[k].radii, lists_); });
+        }
+        runs.update.push_back(update / static_cast<double>(steps));
+        runs.requery.push_back(requery / static_cast<double>(steps));
     }
 
     const PointCloud<Dim>& cloud_;
     const ComparisonOptions& options_;
     CaseResult& result_;
     std::vector<std::unique_ptr<Contestant<Dim>>> all_;
-    NeighbourLists lists_;   // of the first search; then what all of them fill
-    PointCloud<Dim> moved_;  // without points if nothing moves
+    NeighbourLists lists_;                // of the first search; then what all of them fill
+    std::vector<PointCloud<Dim>> moved_;  // after each step; empty if nothing moves
 };
 }  // namespace
 

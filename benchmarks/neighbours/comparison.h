@@ -10,7 +10,8 @@
 namespace benchmarks {
 
 /// Seconds of each phase in each round, warm: memory is that of the round before. All points are
-/// queries. `update` brings the structure to points of which some have moved, `requery` asks it then.
+/// queries. `update` brings the structure to points of which some have moved, `requery` asks it then; an
+/// update of a search's own is averaged over some steps.
 struct Runs {
     std::vector<double> build, query, update, requery;
 
@@ -23,10 +24,13 @@ struct Runs {
 /// How one search did on one cloud.
 struct SearchResult {
     std::string name;
-    std::size_t wrong_pairs = 0;  // if any, nothing was timed: a wrong search has no speed
+    std::string form = "sorted lists";  // of its answer
+    bool is_full_answer = true;         // all neighbours, in double precision: it may be ranked
+    std::size_t wrong_pairs = 0;        // if any, nothing was timed: a wrong search has no speed
     Runs runs = {};
     double cold_build_s = 0.0, cold_query_s = 0.0;  // the first: new memory, empty caches
-    std::size_t held_bytes = 0;                     // between queries, without the lists; allocated
+    std::size_t held_bytes = 0;                     // allocated after the build
+    std::size_t lists_bytes = 0;                    // of its answer
     /// Beyond the points and lists while it built and queried; empty where it cannot be told.
     std::optional<std::size_t> peak_bytes = {};
 

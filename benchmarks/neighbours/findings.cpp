@@ -18,7 +18,7 @@ double median_of(const SearchResult& search, const Cost& cost) {
 std::vector<const SearchResult*> by_cost(const CaseResult& result, const Cost& cost) {
     std::vector<const SearchResult*> timed;
     for (const SearchResult& s : result.searches)
-        if (s.agrees() && !cost(s.runs).empty()) timed.push_back(&s);
+        if (s.agrees() && s.is_full_answer && !cost(s.runs).empty()) timed.push_back(&s);
     std::ranges::stable_sort(timed, {}, [&](const auto* s) { return median_of(*s, cost); });
     return timed;
 }
@@ -43,6 +43,7 @@ std::string joined(const std::vector<const SearchResult*>& searches) {
 
 bool is_kd_tree(const SearchResult& search) {
     return search.name.find("kd_tree") != std::string::npos ||
+           search.name.find("leaf_tree") != std::string::npos ||
            search.name.find("nanoflann") != std::string::npos;
 }
 }  // namespace
@@ -102,7 +103,7 @@ std::string recommendation(const CaseResult& result) {
     const SearchResult& fastest = *standing.best.front();
     if (standing.next)
         text += fmt::format(", {} faster than {}", in_words(standing.margin), standing.next->name);
-    else if (result.searches.size() == 1)
+    else if (standing.best.size() == 1)
         text += ", the only one compared";
     if (standing.next && !is_kd_tree(fastest) && !is_kd_tree(*standing.next))
         for (const SearchResult* s : by_cost(result, total_cost)) {

@@ -14,7 +14,7 @@ Ratio ratio_of(const SearchResult& a, const SearchResult& b, const Cost& cost, d
 /// The search of that name, if it was compared and agrees.
 const SearchResult* find_search(const CaseResult& result, const std::string& name);
 
-/// Who is the fastest: `best` holds the one with the least median cost, and after it those that cannot be
+/// Who is the fastest of those with a full answer: `best` holds the one with the least median cost, and after it those that cannot be
 /// told from it; `next` is the fastest of the others, and `margin` its cost over that of the first.
 struct Standing {
     std::vector<const SearchResult*> best;
@@ -24,7 +24,8 @@ struct Standing {
 Standing standing_of(const CaseResult& result, const Cost& cost = total_cost);
 
 /// The places that each search may have: 1 + the number of searches that are surely faster, to the number
-/// of those that are not surely slower. No place for a search that was not timed.
+/// of those that are not surely slower. No place for a search that was not timed, or whose
+/// answer is not full.
 struct Places {
     std::size_t first = 0, last = 0;
     bool operator==(const Places&) const = default;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/neighbours/fill_lists.h"
+#include "solver/neighbours/packed_lists.h"
 #include "solver/neighbours/queries.h"
 
 #include <nanoflann.hpp>
@@ -35,10 +36,22 @@ public:
               plumbline::NeighbourLists& lists) const {
         plumbline::fill_lists(queries.size(), lists,
                               [&](std::size_t i, std::vector<plumbline::Index>& row) {
-                                  if (!tree_) return;
-                                  Row result{radii.of(i) * radii.of(i), row};
-                                  tree_->findNeighbors(result, queries[i].data(), {});
+                                  gather(queries[i], radii.of(i), row);
                               });
+    }
+    void find(std::span<const plumbline::Vec<Dim>> queries, plumbline::Radii radii,
+              plumbline::PackedLists& lists) const {
+        lists.restart(queries.size());
+        plumbline::parallel_for_parts(queries.size(), [&](std::size_t first, std::size_t last) {
+            plumbline::PackedLists::Writer writer(lists);
+            std::vector<plumbline::Index> row;
+            for (std::size_t i = first; i < last; ++i) {
+                row.clear();
+                gather(queries[i], radii.of(i), row);
+                std::ranges::copy(row, writer.room(row.size()));
+                writer.add(static_cast<plumbline::Index>(i), row.size());
+            }
+        });
     }
 
     const plumbline::OpenSpace<Dim>& space() const { return space_; }
@@ -49,6 +62,13 @@ public:
     }
 
 private:
+    void gather(const plumbline::Vec<Dim>& query, double radius,
+                std::vector<plumbline::Index>& row) const {
+        if (!tree_) return;
+        Row result{radius * radius, row};
+        tree_->findNeighbors(result, query.data(), {});
+    }
+
     struct Cloud {
         plumbline::Points<Dim> x;
         std::size_t kdtree_get_point_count() const { return x.size(); }

@@ -36,11 +36,15 @@ public:
             now_.assign(points.begin(), points.end());
             return false;
         }
+        build(points);
+        return true;
+    }
+    /// The same, but always builds the lists again.
+    void build(Given points) {
         grid_.build(points, radius_ + skin_);
         grid_.pack(lists_);
         built_at_.assign(points.begin(), points.end());
         now_ = built_at_;
-        return true;
     }
     /// At least the neighbours, at most the points that were closer than radius + skin when lists were
     /// built.
