@@ -4,7 +4,8 @@
 
 using namespace plumbline;
 
-TEST_CASE("candidates: a test knows arrays, centre and box, and what follows the last is at infinity") {
+TEST_CASE(
+    "candidates: a test knows arrays, centre and box, and what follows the last is at infinity") {
     const PeriodicBox<2> box({-1, -1}, {1, 3});
     Candidates<2, float> near;
     for (const std::size_t n : {0, 1, 15, 16, 17, 40, 3}) {

@@ -14,9 +14,10 @@ using nlohmann::json;
 /// from them.
 bool is_of_times(const std::string& key) {
     static const std::set<std::string> derived{
-        "provenance",    "seconds",    "threads",    "command",      "noise",
-        "finding",       "on_front",   "statement",  "charts",       "first_place",
-        "last_place",    "held_bytes", "peak_bytes", "over_fastest", "over_fastest_spread",
+        "provenance",    "seconds",     "threads",      "command",
+        "noise",         "finding",     "on_front",     "statement",
+        "charts",        "first_place", "last_place",   "held_bytes",
+        "lists_bytes",   "peak_bytes",  "over_fastest", "over_fastest_spread",
         "recommendation"};
     return key.ends_with("_s") || derived.contains(key);
 }
