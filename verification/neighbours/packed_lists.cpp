@@ -115,14 +115,15 @@ const Bound memory_bound = at_most(
     "block that the thread has not filled: 39 / 132 and 39 / 144");
 
 template <class Real> Claim memory_claim(const std::string& precision) {
-    return {.id = "packed_lists.memory_" + precision,
-            .source = {Paper::plumbline, "docstring of PackedLists"},
-            .says =
-                "grid and lists of one thread take at most 1.5 times positions and bare lists, also "
-                "after ten searches, counted by capacity; each other thread adds a block",
-            .bound = memory_bound,
-            .measure = [] { return memory_over_least<Real>(10, false); },
-            .sabotaged = [] { return memory_over_least<Real>(10, true); }};
+    return {
+        .id = "packed_lists.memory_" + precision,
+        .source = {Paper::plumbline, "docstring of PackedLists"},
+        .says =
+            "grid and lists of one thread take at most 1.5 times positions and bare lists, also "
+            "after ten searches, counted by capacity; each other thread adds a block",
+        .bound = memory_bound,
+        .measure = [] { return memory_over_least<Real>(10, false); },
+        .sabotaged = [] { return memory_over_least<Real>(10, true); }};
 }
 template <class Real, int Dim> Claim packed_claim(const std::string& precision, double wider) {
     return {.id = "packed_lists." + precision + "_equal_brute_force_" + std::to_string(Dim) + "d",
