@@ -232,6 +232,14 @@ SeriesStyle style_of(int index) {
     return {colours[k % 8], markers[(k + k / 8) % 8], dashes[(k + k / 8) % 4]};
 }
 
+/// Beside the plot, unless a long name would leave it no width; then in two columns below.
+std::string place_of_key(const Chart& chart) {
+    std::size_t longest = 0;
+    for (const Chart::Series& s : chart.series) longest = std::max(longest, s.name.size());
+    if (longest <= 30) return "outside right top";
+    return fmt::format("below maxrows {}", (chart.series.size() + 1) / 2);
+}
+
 std::string gnuplot_script(const Chart& chart, const DrawnChart& files) {
     const Frame frame = frame_of(chart);
     std::string script, plots;
@@ -250,8 +258,10 @@ std::string gnuplot_script(const Chart& chart, const DrawnChart& files) {
     script +=
         fmt::format("set label 1000 {} at screen 0.015, screen 0.955 left noenhanced font ',15'\n",
                     wrapped(chart.finding, 84));
-    script += "set tmargin 4.5\nset key outside right top vertical Left reverse noenhanced\n";
-    script += "set key samplen 3\nset grid lt 1 lc rgb '#cccccc' lw 0.8\nset border 3\n";
+    script +=
+        fmt::format("set tmargin 4.5\nset key {} vertical Left reverse noenhanced samplen 3\n",
+                    place_of_key(chart));
+    script += "set grid lt 1 lc rgb '#cccccc' lw 0.8\nset border 3\n";
     script += "set tics nomirror\nset clip two\n";
     script += axis_of('x', chart.x, frame.x) + axis_of('y', chart.y, frame.y);
     int triangle = 0;
