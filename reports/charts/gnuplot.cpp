@@ -232,16 +232,21 @@ SeriesStyle style_of(int index) {
     return {colours[k % 8], markers[(k + k / 8) % 8], dashes[(k + k / 8) % 4]};
 }
 
-/// Beside the plot, unless a long name would leave it no width; then in two columns below.
-std::string place_of_key(const Chart& chart) {
+/// Beside the plot, unless a long name would leave it no width; then below, on more paper.
+struct Key {
+    std::string place = "outside right top";
+    std::size_t height = 0;
+};
+Key key_of(const Chart& chart) {
     std::size_t longest = 0;
     for (const Chart::Series& s : chart.series) longest = std::max(longest, s.name.size());
-    if (longest <= 30) return "outside right top";
-    return fmt::format("below maxrows {}", (chart.series.size() + 1) / 2);
+    if (longest <= 30) return {};
+    return {"below maxcols 1", 20 * chart.series.size()};
 }
 
 std::string gnuplot_script(const Chart& chart, const DrawnChart& files) {
     const Frame frame = frame_of(chart);
+    const Key key = key_of(chart);
     std::string script, plots;
     int index = 0;
     for (const Chart::Series& s : chart.series) {
@@ -258,17 +263,20 @@ std::string gnuplot_script(const Chart& chart, const DrawnChart& files) {
     script +=
         fmt::format("set label 1000 {} at screen 0.015, screen 0.955 left noenhanced font ',15'\n",
                     wrapped(chart.finding, 84));
-    script +=
-        fmt::format("set tmargin 4.5\nset key {} vertical Left reverse noenhanced samplen 3\n",
-                    place_of_key(chart));
+    script += fmt::format(
+        "set tmargin 4.5\nset key {} vertical Left reverse noenhanced samplen 3\n", key.place);
     script += "set grid lt 1 lc rgb '#cccccc' lw 0.8\nset border 3\n";
     script += "set tics nomirror\nset clip two\n";
     script += axis_of('x', chart.x, frame.x) + axis_of('y', chart.y, frame.y);
     int triangle = 0;
     for (const double order : chart.slopes) script += triangle_of(frame, order, triangle++);
-    script += "set terminal svg size 900,520 dynamic font 'DejaVu Sans,13' background '#ffffff'\n";
+    script += fmt::format(
+        "set terminal svg size 900,{} dynamic font 'DejaVu Sans,13' background '#ffffff'\n",
+        520 + key.height);
     script += fmt::format("set output {}\n{}\n", string_of(files.svg.string()), plots);
-    script += "set terminal pngcairo size 1350,780 font 'DejaVu Sans,13' fontscale 1.5\n";
+    script +=
+        fmt::format("set terminal pngcairo size 1350,{} font 'DejaVu Sans,13' fontscale 1.5\n",
+                    780 + key.height * 3 / 2);
     script += fmt::format("set output {}\nreplot\nunset output\n", string_of(files.png.string()));
     return script;
 }
