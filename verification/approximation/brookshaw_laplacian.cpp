@@ -1,18 +1,20 @@
 #include "solver/approximation/brookshaw_laplacian.h"
 
+#include "solver/approximation/density.h"
 #include "solver/approximation/sph_laplacian.h"
 #include "solver/kernels/poly6.h"
-#include "verification/approximation/invariances.h"
 #include "verification/framework/in_dimensions.h"
+#include "verification/framework/invariances.h"
 #include "verification/framework/lattice_sums.h"
 #include "verification/framework/registry.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
+template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Poly6<Dim>>& disordered() {
-    static const Fields<Poly6<Dim>> fields(2.5);
+template <int Dim> const Fields<Dim>& disordered() {
+    static const Fields<Dim> fields(2.5);
     return fields;
 }
 
@@ -41,7 +43,7 @@ template <int Dim, class Form> double largest_at_a_maximum(Form form) {
     counterexamples(
         [&] {
             std::vector<double> f;
-            for (std::size_t j = 0; j < d.size(); ++j) f.push_back(*uniform(-1.0, 1.0));
+            for (std::size_t j = 0; j < d.size(); ++j) f.push_back(uniform(-1.0, 1.0));
             f[d.patch.centre] = 1.0;
             largest = std::max(largest, form(d, f, d.patch.centre));
         },
@@ -104,13 +106,13 @@ template <int Dim> double second_moment(double factor) {
 
 /// The order of |Δf − exact|, h/spacing fixed: f = x on disordered samples, f = y² on a lattice.
 double order_on_disorder() {
-    return order_under_refinement<Poly6<2>>(2.5, 0.3, [](const auto& d) {
+    return order_under_refinement<2>(2.5, 0.3, [](const auto& d) {
         const auto x = d.patch.sample([](const Vec<2>& p) { return p[0]; });
         return std::abs(brookshaw(d, x, d.patch.centre));
     });
 }
 double order_on_lattice() {
-    return order_under_refinement<Poly6<2>>(2.5, 0.0, [](const auto& d) {
+    return order_under_refinement<2>(2.5, 0.0, [](const auto& d) {
         const auto y_squared = d.patch.sample([](const Vec<2>& p) { return p[1] * p[1]; });
         return std::abs(brookshaw(d, y_squared, d.patch.centre) - 2.0);
     });
@@ -135,7 +137,7 @@ const Register orders{
           .erratum = 48}};
 
 template <int Dim> double change_of_laplacian(bool scale_support) {
-    return change_under_similarity<Poly6<Dim>>(2.5, 2, [=](auto d, Index i) {
+    return change_under_similarity<Dim>(2.5, 2, [=](auto d, Index i) {
         if (!scale_support) d.w = Poly6<Dim>(2.5);
         return brookshaw(d, d.f, i);
     });

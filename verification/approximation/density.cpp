@@ -1,8 +1,9 @@
 #include "solver/approximation/density.h"
 
 #include "solver/approximation/sph_interpolation.h"
+#include "solver/foundation/random.h"
 #include "solver/kernels/poly6.h"
-#include "verification/approximation/invariances.h"
+#include "verification/framework/invariances.h"
 #include "verification/framework/lattice_sums.h"
 #include "verification/framework/registry.h"
 
@@ -12,8 +13,8 @@ using namespace verification;
 
 double relative(double found, double expected) { return std::abs(found / expected - 1.0); }
 
-template <int Dim> const Disordered<Poly6<Dim>>& disordered() {
-    static const Disordered<Poly6<Dim>> samples(2.5);
+template <int Dim> const Disordered<Dim>& disordered() {
+    static const Disordered<Dim> samples(2.5);
     return samples;
 }
 
@@ -166,7 +167,7 @@ double surface_error(int free_faces, double (*seen)(double h)) {
 }
 
 template <int Dim> double change_of_density(bool scale_support) {
-    return change_under_similarity<Poly6<Dim>>(2.5, Dim, [=](const auto& d, Index i) {
+    return change_under_similarity<Dim>(2.5, Dim, [=](const auto& d, Index i) {
         const Poly6<Dim> w(scale_support ? d.w.support() : 2.5);
         return density<Poly6<Dim>>(w, d.patch.x, d.m, d.samples().at(i));
     });

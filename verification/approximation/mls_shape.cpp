@@ -93,7 +93,7 @@ template <int Order, int Dim> auto shape_of(const Cloud<Dim>& cloud) {
 }
 
 template <int Dim> Cloud<Dim> random_cloud() {
-    return jittered_cloud<Dim>(2.8, static_cast<std::uint64_t>(*uniform(0.0, 1e6)));
+    return jittered_cloud<Dim>(2.8, static_cast<std::uint64_t>(uniform(0.0, 1e6)));
 }
 /// maxⱼ |Φⱼ − Φ′ⱼ| of the same samples before and after a change.
 double difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -131,7 +131,7 @@ template <class Change> Cloud<2> changed(Cloud<2> cloud, double scale, Change ch
 double change_by_translation(Values values) {
     return worst_error([=] {
         const auto cloud = random_cloud<2>();
-        const Vec<2> t = *point<2>(-1000.0, 1000.0);
+        const Vec<2> t = point<2>(-1000.0, 1000.0);
         const auto moved = changed(cloud, 1.0, [&](const Vec<2>& x) { return Vec<2>(x + t); });
         return difference(values(cloud), values(moved));
     });
@@ -139,7 +139,7 @@ double change_by_translation(Values values) {
 double change_by_rotation(Values values) {
     return worst_error([=] {
         const auto cloud = random_cloud<2>();
-        const Eigen::Rotation2Dd R(*uniform(0.0, 2.0 * std::numbers::pi));
+        const Eigen::Rotation2Dd R(uniform(0.0, 2.0 * std::numbers::pi));
         const auto turned = changed(cloud, 1.0, [&](const Vec<2>& x) { return Vec<2>(R * x); });
         return difference(values(cloud), values(turned));
     });
@@ -147,7 +147,7 @@ double change_by_rotation(Values values) {
 double change_by_scaling(Values values) {
     return worst_error([=] {
         const auto cloud = random_cloud<2>();
-        const double s = std::exp2(*uniform(-20.0, 20.0));
+        const double s = std::exp2(uniform(-20.0, 20.0));
         const auto scaled = changed(cloud, s, [&](const Vec<2>& x) { return Vec<2>(s * x); });
         return difference(values(cloud), values(scaled));
     });
@@ -158,7 +158,7 @@ double change_by_scale_of_weights(bool normalised) {
         const auto cloud = random_cloud<2>();
         const auto near = cloud.near();
         const Poly6<2> w(cloud.support);
-        const double c = std::exp2(*uniform(-20.0, 20.0));
+        const double c = std::exp2(uniform(-20.0, 20.0));
         std::vector<double> phi;
         for (const Index j : near.of(0)) phi.push_back(c * w.value((cloud.x[j] - cloud.at).norm()));
         if (normalised)

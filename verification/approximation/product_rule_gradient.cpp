@@ -2,9 +2,9 @@
 
 #include "solver/approximation/sph_gradient.h"
 #include "solver/kernels/poly6.h"
-#include "verification/approximation/invariances.h"
-#include "verification/approximation/poly6_fields.h"
 #include "verification/framework/in_dimensions.h"
+#include "verification/framework/invariances.h"
+#include "verification/framework/poly6_field.h"
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
@@ -13,8 +13,8 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Poly6<Dim>>& disordered() {
-    static const Fields<Poly6<Dim>> fields(2.5);
+template <int Dim> const Fields<Dim>& disordered() {
+    static const Fields<Dim> fields(2.5);
     return fields;
 }
 
@@ -23,10 +23,10 @@ constexpr auto mass_weighted = [](const auto& d, std::span<const double> f, Inde
 };
 
 /// Eq. 19 with another sign between the quotients, or other weights than mⱼ.
-template <class K>
-Vec<K::dim> symmetric_misread(const Fields<K>& d, std::span<const double> f, Index i, double sign,
-                              std::span<const double> weights) {
-    using V = Vec<K::dim>;
+template <int Dim>
+Vec<Dim> symmetric_misread(const Fields<Dim>& d, std::span<const double> f, Index i, double sign,
+                           std::span<const double> weights) {
+    using V = Vec<Dim>;
     const auto per_density_squared = [&](Index j) { return f[j] / (d.rho[j] * d.rho[j]); };
     return d.rho[i] * sum<V>(d.patch.neighbours.of(i), [&](Index j) -> V {
                return weights[j] * (per_density_squared(j) + sign * per_density_squared(i)) *
@@ -97,7 +97,7 @@ template <int Dim, class Form> double error_of_quotient_rule(Form form) {
 Real50 smooth_f(const Point50<2>& x) { return sin(2 * x[0]) * exp(x[1]); }
 Real50 smooth_rho(const Point50<2>& x) { return 2 + cos(x[0] + 3 * x[1]); }
 template <class Rule> double error_of_rule(Rule rule) {
-    return worst_error([&] { return rule(*point<2>(-1.0, 1.0)); }, {.number = 50});
+    return worst_error([&] { return rule(point<2>(-1.0, 1.0)); }, {.number = 50});
 }
 double product_rule(const Vec<2>& x, double sign) {  // Eq. 16
     const auto rho_f = [](const Point50<2>& p) { return Real50(smooth_rho(p) * smooth_f(p)); };
@@ -145,7 +145,7 @@ template <int Dim, class Form> double angular_momentum_residual(Form form) {
 /// How much ∇f changes when all masses, and so densities, are a thousand times larger: relatively.
 template <int Dim, class Form> double change_with_unit_of_mass(Form form) {
     const auto& d = disordered<Dim>();
-    Fields<Poly6<Dim>> in_grams = d;
+    Fields<Dim> in_grams = d;
     for (double& m : in_grams.m) m *= 1000.0;
     for (double& rho : in_grams.rho) rho *= 1000.0;
     const Vec<Dim> g = form(d, d.f, d.patch.centre);
@@ -154,7 +154,7 @@ template <int Dim, class Form> double change_with_unit_of_mass(Form form) {
 
 /// ‖Eq. 17 − Eq. 13‖ / ‖Eq. 13‖ at the centre; `uniform` has the same density everywhere.
 template <int Dim> double difference_from_eq_13(bool uniform) {
-    Fields<Poly6<Dim>> d = disordered<Dim>();
+    Fields<Dim> d = disordered<Dim>();
     if (uniform) {
         std::ranges::fill(d.rho, 3.0);
         d.patch.V = times(d.m, d.rho, -1.0);
@@ -164,7 +164,7 @@ template <int Dim> double difference_from_eq_13(bool uniform) {
 }
 
 template <int Dim, class Form> double change_of_gradient(Form form, bool turn) {
-    return change_under_similarity<Poly6<Dim>>(2.5, 1, [=](const auto& d, Index i) {
+    return change_under_similarity<Dim>(2.5, 1, [=](const auto& d, Index i) {
         const Vec<Dim> g = form(d, d.f, i);
         return turn ? g : Vec<Dim>(g.cwiseAbs());
     });

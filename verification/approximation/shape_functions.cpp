@@ -2,6 +2,7 @@
 
 #include "solver/approximation/mls_shape.h"
 #include "solver/kernels/poly6.h"
+#include "solver/neighbours/brute_force.h"
 #include "verification/approximation/mls_under_test.h"
 #include "verification/framework/patch.h"
 #include "verification/framework/registry.h"

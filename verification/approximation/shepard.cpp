@@ -3,10 +3,10 @@
 #include "solver/approximation/sph_interpolation.h"
 #include "solver/kernels/poly6.h"
 #include "solver/kernels/singular.h"
-#include "verification/approximation/invariances.h"
-#include "verification/approximation/poly6_fields.h"
 #include "verification/approximation/shepard_under_test.h"
 #include "verification/framework/in_dimensions.h"
+#include "verification/framework/invariances.h"
+#include "verification/framework/poly6_field.h"
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
@@ -15,24 +15,16 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Poly6<Dim>>& disordered() {
-    static const Fields<Poly6<Dim>> fields(2.5);
+template <int Dim> const Fields<Dim>& disordered() {
+    static const Fields<Dim> fields(2.5);
     return fields;
 }
 
-/// max of error(place) over places between the samples.
-template <int Dim, class Error> double worst_between_samples(int n_places, Error error) {
+/// max |error(fields, place)| over places between the disordered samples.
+template <int Dim, class Error> double worst_in_disorder(int n_places, Error error) {
     const auto& d = disordered<Dim>();
-    Random random(7);
-    BruteForce<Dim> search;
-    search.build(d.patch.x, d.w.support());
-    double worst = 0.0;
-    for (int k = 0; k < n_places; ++k) {
-        const Points<Dim> x{Vec<Dim>::NullaryExpr([&] { return random.uniform(-1.0, 1.0); })};
-        const auto neighbours = search.query(x);
-        worst = std::max(worst, std::abs(error(d, Place<Dim>{x[0], neighbours.of(0)})));
-    }
-    return worst;
+    return worst_between_samples<Dim>(d.patch, d.w.support(), n_places,
+                                      [&](const Place<Dim>& at) { return error(d, at); });
 }
 
 constexpr auto by_shepard = [](const auto& d, std::span<const double> f, const auto& at) {
@@ -44,13 +36,13 @@ constexpr auto by_eq_3 = [](const auto& d, std::span<const double> f, const auto
 
 /// max |⟨c⟩ / c − 1|, and the derivatives of a constant in units of h.
 template <int Dim, class Value> double of_a_constant(Value value) {
-    return worst_between_samples<Dim>(100, [&](const auto& d, const auto& at) {
+    return worst_in_disorder<Dim>(100, [&](const auto& d, const auto& at) {
         const std::vector<double> f(d.size(), 7.0);
         return value(d, f, at) / 7.0 - 1.0;
     });
 }
 template <int Dim> double derivatives_of_a_constant(bool divided) {
-    return worst_between_samples<Dim>(100, [&](const auto& d, const auto& at) {
+    return worst_in_disorder<Dim>(100, [&](const auto& d, const auto& at) {
         const std::vector<double> f(d.size(), 7.0);
         const double h = d.w.support() / 7.0;
         const auto s = d.samples();
@@ -65,7 +57,7 @@ template <int Dim> double derivatives_of_a_constant(bool divided) {
 
 /// How far ⟨f⟩ lies outside of the range of the neighbours' f.
 template <int Dim, class Value> double out_of_range(Value value) {
-    return worst_between_samples<Dim>(200, [&](const auto& d, const auto& at) {
+    return worst_in_disorder<Dim>(200, [&](const auto& d, const auto& at) {
         std::vector<double> f;
         for (const double value_j : d.f) f.push_back(1.0 + 1e-3 * value_j);
         double low = HUGE_VAL, high = -HUGE_VAL;
@@ -76,7 +68,7 @@ template <int Dim, class Value> double out_of_range(Value value) {
 }
 
 /// Shepard's quotient with 50 digits, `of` being the fields whose quotient it is.
-template <int Dim> auto quotient_to_50_digits(const Fields<Poly6<Dim>>& d) {
+template <int Dim> auto quotient_to_50_digits(const Fields<Dim>& d) {
     return [&d](const Point50<Dim>& x) {
         const std::vector<double> one(d.size(), 1.0);
         const double h = d.w.support();
@@ -84,7 +76,7 @@ template <int Dim> auto quotient_to_50_digits(const Fields<Poly6<Dim>>& d) {
     };
 }
 template <int Dim> double gradient_error(bool with_quotient_rule) {
-    return worst_between_samples<Dim>(2, [&](const auto& d, const auto& at) {
+    return worst_in_disorder<Dim>(2, [&](const auto& d, const auto& at) {
         const auto s = d.samples();
         Vec<Dim> found = shepard_gradient(d.w, s, d.f, at).value();
         if (!with_quotient_rule) {  // (Σ fⱼ ∇ωⱼ Vⱼ) / Σ ωⱼ Vⱼ
@@ -98,7 +90,7 @@ template <int Dim> double gradient_error(bool with_quotient_rule) {
     });
 }
 template <int Dim> double laplacian_error(bool with_mixed_term) {
-    return worst_between_samples<Dim>(2, [&](const auto& d, const auto& at) {
+    return worst_in_disorder<Dim>(2, [&](const auto& d, const auto& at) {
         const auto s = d.samples();
         double found = shepard_laplacian(d.w, s, d.f, at).value();
         if (!with_mixed_term) {  // without −2 ∇⟨f⟩ · ∇W / W
@@ -115,7 +107,7 @@ template <int Dim> double laplacian_error(bool with_mixed_term) {
 
 /// |⟨f⟩ with volumes a thousand times larger − ⟨f⟩|.
 template <int Dim, class Value> double change_with_volume(Value value) {
-    return worst_between_samples<Dim>(50, [&](const auto& d, const auto& at) {
+    return worst_in_disorder<Dim>(50, [&](const auto& d, const auto& at) {
         auto larger = d;
         for (double& V : larger.patch.V) V *= 1000.0;
         return value(larger, d.f, at) - value(d, d.f, at);
@@ -124,7 +116,7 @@ template <int Dim, class Value> double change_with_volume(Value value) {
 
 /// |Eq. 3 − Shepard| at a sample, masses 1 and volumes by Eqs. 4, 5.
 double difference_at_sample(double jitter) {
-    Fields<Poly6<2>> d(2.5, {.support = 0, .jitter = jitter});
+    Fields<2> d(2.5, {.support = 0, .jitter = jitter});
     std::ranges::fill(d.m, 1.0);
     d.patch.V = volumes<Poly6<2>>(d.w, d.patch.x, d.m, d.patch.neighbours);
     const auto at = d.samples().at(d.patch.centre);
@@ -150,7 +142,7 @@ template <class K, class Value> double distance_from_samples(Value value) {
 }
 
 template <int Dim> double change_of_value(bool scale_support) {
-    return change_under_similarity<Poly6<Dim>>(2.5, 0, [=](auto d, Index i) {
+    return change_under_similarity<Dim>(2.5, 0, [=](auto d, Index i) {
         if (!scale_support) d.w = Poly6<Dim>(2.5);
         return by_shepard(d, d.f, d.samples().at(i));
     });

@@ -2,8 +2,8 @@
 
 #include "solver/approximation/sph_gradient.h"
 #include "solver/kernels/poly6.h"
-#include "verification/approximation/invariances.h"
 #include "verification/framework/in_dimensions.h"
+#include "verification/framework/invariances.h"
 #include "verification/framework/lattice_sums.h"
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
@@ -13,8 +13,8 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Poly6<Dim>>& disordered() {
-    static const Fields<Poly6<Dim>> fields(2.5);
+template <int Dim> const Fields<Dim>& disordered() {
+    static const Fields<Dim> fields(2.5);
     return fields;
 }
 
@@ -89,7 +89,7 @@ double of_an_expansion(const std::vector<KnownLattice<Dim>>& lattices, double se
 }
 
 template <int Dim, class Form> double change_of_divergence(Form form, bool turn) {
-    return change_under_similarity<Poly6<Dim>>(2.5, 1, [=](const auto& d, Index i) {
+    return change_under_similarity<Dim>(2.5, 1, [=](const auto& d, Index i) {
         auto u = d.u;
         if (!turn)
             for (Vec<Dim>& v : u) v = v.cwiseAbs().eval();

@@ -1,10 +1,11 @@
 #include "solver/approximation/sph_gradient.h"
 
+#include "solver/approximation/density.h"
 #include "solver/approximation/sph_interpolation.h"
 #include "solver/kernels/poly6.h"
-#include "verification/approximation/invariances.h"
-#include "verification/approximation/poly6_fields.h"
 #include "verification/framework/in_dimensions.h"
+#include "verification/framework/invariances.h"
+#include "verification/framework/poly6_field.h"
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
@@ -13,8 +14,8 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Poly6<Dim>>& disordered() {
-    static const Fields<Poly6<Dim>> fields(2.5);
+template <int Dim> const Fields<Dim>& disordered() {
+    static const Fields<Dim> fields(2.5);
     return fields;
 }
 
@@ -35,7 +36,7 @@ template <int Dim, class Form> double of_a_constant(Form form) {
 }
 /// The same at the centre of a patch with lattice volumes.
 template <int Dim, class Form> double of_a_constant(Form form, const Patch<Dim>& patch, double h) {
-    Fields<Poly6<Dim>> d(h);
+    Fields<Dim> d(h);
     d.patch = patch;
     const std::vector<double> f(d.patch.x.size(), 7.0);
     return form(d, f, d.patch.centre).norm() * h / 7.0;
@@ -49,20 +50,11 @@ double of_a_constant_on(const Lattice<Dim>& lattice, Form form, PatchShape shape
 /// ‖∇⟨f⟩ − the derivative of the sum itself‖ h, at places between the samples.
 template <int Dim, class Form> double error_of_derivative(Form form) {
     const auto& d = disordered<Dim>();
-    Random random(7);
-    BruteForce<Dim> search;
-    search.build(d.patch.x, d.w.support());
-    double worst = 0.0;
-    for (int k = 0; k < (Dim == 3 ? 2 : 10); ++k) {
-        const Points<Dim> x{Vec<Dim>::NullaryExpr([&] { return random.uniform(-1.0, 1.0); })};
-        const auto neighbours = search.query(x);
-        const auto field = [&](const Point50<Dim>& p) {
-            return poly6_field(d.patch, d.f, d.w.support(), p);
-        };
-        const Vec<Dim> found = form(d, Place<Dim>{x[0], neighbours.of(0)});
-        worst = std::max(worst, (found - gradient_to_20_digits<Dim>(field, x[0])).norm());
-    }
-    return worst * d.w.support();
+    const double h = d.w.support();
+    const auto field = [&](const Point50<Dim>& p) { return poly6_field(d.patch, d.f, h, p); };
+    return h * worst_between_samples<Dim>(d.patch, h, Dim == 3 ? 2 : 10, [&](const Place<Dim>& at) {
+               return (form(d, at) - gradient_to_20_digits<Dim>(field, at.x)).norm();
+           });
 }
 constexpr auto derivative = [](const auto& d, const auto& at) {
     return gradient_summation(d.w, d.samples(), d.f, at);
@@ -77,7 +69,7 @@ template <int Dim, class Gradient> double kernel_gradient_error(Gradient gradien
     const Poly6<Dim> w(0.8);
     return worst_error(
         [&] {
-            const Vec<Dim> x = *point<Dim>(-0.5, 0.5);
+            const Vec<Dim> x = point<Dim>(-0.5, 0.5);
             const auto field = [&](const Point50<Dim>& p) {
                 Real50 r_squared = 0;
                 for (int d = 0; d < Dim; ++d) r_squared += p[d] * p[d];
@@ -117,7 +109,7 @@ double normal_derivative_on_surface(const Lattice<Dim>& lattice, int free_faces)
 }
 
 template <int Dim, class Form> double linear_field_error(Form form, double jitter) {
-    const Fields<Poly6<Dim>> d(2.5, {.support = 0, .jitter = jitter});
+    const Fields<Dim> d(2.5, {.support = 0, .jitter = jitter});
     const auto f = d.patch.sample([](const Vec<Dim>& p) { return p[0]; });
     return (form(d, f, d.patch.centre) - Vec<Dim>::Unit(0)).norm();
 }
@@ -161,7 +153,7 @@ const Register lattice_errors{
         .erratum = 47}};
 
 template <int Dim, class Form> double change_of_gradient(Form form, bool turn) {
-    return change_under_similarity<Poly6<Dim>>(2.5, 1, [=](const auto& d, Index i) {
+    return change_under_similarity<Dim>(2.5, 1, [=](const auto& d, Index i) {
         const Vec<Dim> g = form(d, d.f, i);
         return turn ? g : Vec<Dim>(g.cwiseAbs());
     });

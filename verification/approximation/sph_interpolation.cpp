@@ -1,10 +1,11 @@
 #include "solver/approximation/sph_interpolation.h"
 
 #include "solver/approximation/shepard.h"
+#include "solver/foundation/random.h"
 #include "solver/kernels/poly6.h"
-#include "verification/approximation/invariances.h"
 #include "verification/approximation/shepard_under_test.h"
 #include "verification/approximation/smoothing.h"
+#include "verification/framework/invariances.h"
 #include "verification/framework/registry.h"
 
 #include <cmath>
@@ -52,22 +53,14 @@ template <class Skew> double smoothing_error(double support, Skew skew) {
 
 /// max |Σ Φⱼ(x) − 1| at places between disordered samples, masses one as the text after Eq. 7 has it.
 template <int Dim, class Sum> double distance_from_one(Sum sum_of_weights) {
-    Disordered<Poly6<Dim>> d(2.5, {.support = 0, .jitter = 0.2});
+    Disordered<Dim> d(2.5, {.support = 0, .jitter = 0.2});
     std::ranges::fill(d.m, 1.0);
     d.patch.V = volumes<Poly6<Dim>>(d.w, d.patch.x, d.m, d.patch.neighbours);
     const auto s = d.samples();
     const std::vector<double> one(d.size(), 1.0);
-    Random random(4);
-    BruteForce<Dim> search;
-    search.build(d.patch.x, d.w.support());
-    double worst = 0.0;
-    for (int k = 0; k < 100; ++k) {
-        const Points<Dim> x{Vec<Dim>::NullaryExpr([&] { return random.uniform(-1.0, 1.0); })};
-        const auto neighbours = search.query(x);
-        worst = std::max(
-            worst, std::abs(sum_of_weights(d.w, s, one, Place<Dim>{x[0], neighbours.of(0)}) - 1.0));
-    }
-    return worst;
+    return worst_between_samples<Dim>(
+        d.patch, d.w.support(), 100,
+        [&](const Place<Dim>& at) { return sum_of_weights(d.w, s, one, at) - 1.0; }, 4);
 }
 constexpr auto by_eq_3 = [](const auto& w, const auto& s, const auto& f, const auto& at) {
     return interpolate(w, s, f, at);
@@ -96,12 +89,12 @@ double distance_from_one_on_fine_lattice(double error_in_volume) {
 
 /// |⟨a f + b⟩ − a ⟨f⟩ − b ⟨1⟩| or, sabotaged, with b instead of b ⟨1⟩: constants taken for reproduced.
 double superposition_error(bool reproduces_constants) {
-    static const Fields<Poly6<3>> d(2.5);
+    static const Fields<3> d(2.5);
     const auto s = d.samples();
     const auto at = s.at(d.patch.centre);
     const std::vector<double> one(d.size(), 1.0);
     return worst_error([&] {
-        const double a = *uniform(-10.0, 10.0), b = *uniform(-10.0, 10.0);
+        const double a = uniform(-10.0, 10.0), b = uniform(-10.0, 10.0);
         std::vector<double> combined;
         for (const double f : d.f) combined.push_back(a * f + b);
         const double of_one = reproduces_constants ? 1.0 : interpolate(d.w, s, one, at);
@@ -110,14 +103,14 @@ double superposition_error(bool reproduces_constants) {
 }
 
 double largest_weight(bool at_samples) {
-    const Disordered<Poly6<2>> d(2.5);
+    const Disordered<2> d(2.5);
     double largest = 0.0;
     for (Index i = 0; i < d.size(); ++i) largest = std::max(largest, d.patch.V[i] * d.w.value(0.0));
     return at_samples ? largest : 1.0;
 }
 
 double far_from_all_samples(double distance) {
-    const Disordered<Poly6<2>> d(2.5);
+    const Disordered<2> d(2.5);
     std::vector<Index> everyone(d.size());
     std::iota(everyone.begin(), everyone.end(), Index{0});
     const std::vector<double> one(d.size(), 1.0);
@@ -125,7 +118,7 @@ double far_from_all_samples(double distance) {
 }
 
 template <int Dim> double change_of_value(bool scale_support) {
-    return change_under_similarity<Poly6<Dim>>(2.5, 0, [=](const auto& d, Index i) {
+    return change_under_similarity<Dim>(2.5, 0, [=](const auto& d, Index i) {
         const Poly6<Dim> w(scale_support ? d.w.support() : 2.5);
         return interpolate(w, d.samples(), d.f, d.samples().at(i));
     });

@@ -1,11 +1,13 @@
 #include "solver/approximation/sph_laplacian.h"
 
+#include "solver/approximation/at_all.h"
+#include "solver/approximation/density.h"
 #include "solver/approximation/sph_divergence.h"
 #include "solver/approximation/sph_gradient.h"
 #include "solver/kernels/poly6.h"
-#include "verification/approximation/invariances.h"
-#include "verification/approximation/poly6_fields.h"
 #include "verification/framework/in_dimensions.h"
+#include "verification/framework/invariances.h"
+#include "verification/framework/poly6_field.h"
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
@@ -14,8 +16,8 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Poly6<Dim>>& disordered() {
-    static const Fields<Poly6<Dim>> fields(2.5);
+template <int Dim> const Fields<Dim>& disordered() {
+    static const Fields<Dim> fields(2.5);
     return fields;
 }
 
@@ -60,18 +62,11 @@ constexpr auto summation_at_sample = [](const auto& d, std::span<const double> f
 template <int Dim, class Form> double error_of_derivative(Form form) {
     const auto& d = disordered<Dim>();
     const double h = d.w.support();
-    Random random(7);
-    BruteForce<Dim> search;
-    search.build(d.patch.x, h);
-    double worst = 0.0;
-    for (int k = 0; k < (Dim == 3 ? 2 : 10); ++k) {
-        const Points<Dim> x{Vec<Dim>::NullaryExpr([&] { return random.uniform(-1.0, 1.0); })};
-        const auto neighbours = search.query(x);
-        const auto field = [&](const Point50<Dim>& p) { return poly6_field(d.patch, d.f, h, p); };
-        const double found = form(d, d.f, Place<Dim>{x[0], neighbours.of(0)});
-        worst = std::max(worst, std::abs(found - laplacian_to_20_digits<Dim>(field, x[0])));
-    }
-    return worst * h * h;
+    const auto field = [&](const Point50<Dim>& p) { return poly6_field(d.patch, d.f, h, p); };
+    return h * h *
+           worst_between_samples<Dim>(d.patch, h, Dim == 3 ? 2 : 10, [&](const Place<Dim>& at) {
+               return form(d, d.f, at) - laplacian_to_20_digits<Dim>(field, at.x);
+           });
 }
 
 /// h^(2 − power) ∫ Δω ‖x‖^power dV over the support.
@@ -146,19 +141,19 @@ double expected_difference() {
 
 /// The orders of |Δx| by Eq. 15, and of |Δ1| by Eq. 11, which are 0 in truth.
 double order_for_linear_fields(double jitter) {
-    return order_under_refinement<Poly6<2>>(2.5, jitter, [](const auto& d) {
+    return order_under_refinement<2>(2.5, jitter, [](const auto& d) {
         const auto x = d.patch.sample([](const Vec<2>& p) { return p[0]; });
         return std::abs(difference(d, x, d.patch.centre));
     });
 }
 double order_for_parabolas_on_lattice() {
-    return order_under_refinement<Poly6<2>>(2.5, 0.0, [](const auto& d) {
+    return order_under_refinement<2>(2.5, 0.0, [](const auto& d) {
         const auto y_squared = d.patch.sample([](const Vec<2>& p) { return p[1] * p[1]; });
         return std::abs(difference(d, y_squared, d.patch.centre) - 2.0);
     });
 }
 template <class Form> double order_for_constants(Form form) {
-    return order_under_refinement<Poly6<2>>(2.5, 0.3, [form](const auto& d) {
+    return order_under_refinement<2>(2.5, 0.3, [form](const auto& d) {
         const std::vector<double> one(d.size(), 1.0);
         return form(d, one, d.patch.centre);
     });
@@ -197,7 +192,7 @@ const Register orders{
           .erratum = 48}};
 
 template <int Dim> double change_of_laplacian(bool scale_support) {
-    return change_under_similarity<Poly6<Dim>>(2.5, 2, [=](auto d, Index i) {
+    return change_under_similarity<Dim>(2.5, 2, [=](auto d, Index i) {
         if (!scale_support) d.w = Poly6<Dim>(2.5);
         return Vec<2>(summation_at_sample(d, d.f, i), difference(d, d.f, i)).norm();
     });

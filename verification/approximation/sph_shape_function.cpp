@@ -4,16 +4,16 @@
 #include "solver/approximation/sph_interpolation.h"
 #include "solver/approximation/sph_laplacian.h"
 #include "solver/kernels/poly6.h"
-#include "verification/approximation/invariances.h"
 #include "verification/framework/in_dimensions.h"
+#include "verification/framework/invariances.h"
 #include "verification/framework/registry.h"
 
 namespace {
 using namespace plumbline;
 using namespace verification;
 
-template <int Dim> const Fields<Poly6<Dim>>& disordered() {
-    static const Fields<Poly6<Dim>> fields(2.5);
+template <int Dim> const Fields<Dim>& disordered() {
+    static const Fields<Dim> fields(2.5);
     return fields;
 }
 

@@ -3,6 +3,7 @@
 #include "solver/fluid/pressure_force.h"
 #include "solver/fluid/sph_density.h"
 #include "solver/fluid/tait_equation.h"
+#include "solver/foundation/random.h"
 #include "solver/kernels/cubic_spline.h"
 #include "solver/kernels/poly6.h"
 #include "solver/kernels/spiky.h"

@@ -80,4 +80,21 @@ Poly6To50Digits poly6_to_50_digits(int dim, const Real50& h, const Real50& r_squ
     return {sigma * s * s * s, 2 * first, 4 * r_squared * second + 2 * dim * first};
 }
 
+template <int Dim> LatticeSums lattice_sums(const KnownLattice<Dim>& lattice, double h) {
+    LatticeSums sums{0, 0, 0, 0};
+    for (const Shell& shell : lattice.shells(h)) {
+        const auto w = poly6_to_50_digits(Dim, h, shell.distance_squared);
+        const Real50 V = lattice.cell_volume * shell.n_points, r2 = shell.distance_squared;
+        // The mean of x² over a shell is r²/dim: the lattices have cubic or hexagonal symmetry.
+        sums.density += V * w.value;
+        sums.gradient -= V * r2 / Dim * w.slope_over_r;
+        sums.laplacian += V * r2 / (2 * Dim) * w.laplacian;
+        sums.printed_laplacian += V * r2 / (2 * Dim) * (w.laplacian - (Dim - 1) * w.slope_over_r);
+    }
+    return sums;
+}
+template LatticeSums lattice_sums(const KnownLattice<1>&, double);
+template LatticeSums lattice_sums(const KnownLattice<2>&, double);
+template LatticeSums lattice_sums(const KnownLattice<3>&, double);
+
 }  // namespace verification

@@ -46,18 +46,6 @@ struct LatticeSums {
     Real50 laplacian;          // Δf / 2 of f = y² by Eqs. 11, 15
     Real50 printed_laplacian;  // the same with ω″ for Δω, as Eq. 15 is printed
 };
-template <int Dim> LatticeSums lattice_sums(const KnownLattice<Dim>& lattice, double h) {
-    LatticeSums sums{0, 0, 0, 0};
-    for (const Shell& shell : lattice.shells(h)) {
-        const auto w = poly6_to_50_digits(Dim, h, shell.distance_squared);
-        const Real50 V = lattice.cell_volume * shell.n_points, r2 = shell.distance_squared;
-        // The mean of x² over a shell is r²/dim: the lattices have cubic or hexagonal symmetry.
-        sums.density += V * w.value;
-        sums.gradient -= V * r2 / Dim * w.slope_over_r;
-        sums.laplacian += V * r2 / (2 * Dim) * w.laplacian;
-        sums.printed_laplacian += V * r2 / (2 * Dim) * (w.laplacian - (Dim - 1) * w.slope_over_r);
-    }
-    return sums;
-}
+template <int Dim> LatticeSums lattice_sums(const KnownLattice<Dim>& lattice, double h);
 
 }  // namespace verification

@@ -41,9 +41,9 @@ double integral_error(double determinant) {
 template <class Gradient> double gradient_error(Gradient gradient) {
     return worst_error([gradient] {
         const Mat<3> g =
-            Mat<3>::Identity() + 0.3 * Mat<3>{*point<3>(-1, 1) * (*point<3>(-1, 1)).transpose()};
+            Mat<3>::Identity() + 0.3 * Mat<3>{point<3>(-1, 1) * (point<3>(-1, 1)).transpose()};
         const Anisotropic<WendlandC4<3>> kernel(WendlandC4<3>{h}, g);
-        const Vec<3> x = *point<3>(-0.3, 0.3);
+        const Vec<3> x = point<3>(-0.3, 0.3);
         Vec<3> slope;
         for (int d = 0; d < 3; ++d) {
             const Vec<3> e = 1e-5 * h * Vec<3>::Unit(d);
@@ -55,9 +55,9 @@ template <class Gradient> double gradient_error(Gradient gradient) {
 template <class Laplacian> double laplacian_error(Laplacian laplacian) {
     return worst_error([laplacian] {
         const Mat<3> g =
-            Mat<3>::Identity() + 0.3 * Mat<3>{*point<3>(-1, 1) * (*point<3>(-1, 1)).transpose()};
+            Mat<3>::Identity() + 0.3 * Mat<3>{point<3>(-1, 1) * (point<3>(-1, 1)).transpose()};
         const Anisotropic<WendlandC4<3>> kernel(WendlandC4<3>{h}, g);
-        const Vec<3> x = *point<3>(-0.3, 0.3);
+        const Vec<3> x = point<3>(-0.3, 0.3);
         double divergence = 0.0;
         for (int d = 0; d < 3; ++d) {
             const Vec<3> e = 1e-5 * h * Vec<3>::Unit(d);
@@ -84,7 +84,7 @@ const Register claims_of_anisotropic{
               [] {
                   return worst_error(
                       [] {
-                          const double angle = *uniform(0.0, 7.0), r = w.support() * (1 + 1e-12);
+                          const double angle = uniform(0.0, 7.0), r = w.support() * (1 + 1e-12);
                           return w.value(r * Vec<2>(std::cos(angle), std::sin(angle)));
                       },
                       {.number = 1000});
@@ -93,7 +93,7 @@ const Register claims_of_anisotropic{
               [] {  // the support of the radial kernel taken for that of the ellipsoid
                   return worst_error(
                       [] {
-                          const double angle = *uniform(0.0, 7.0);
+                          const double angle = uniform(0.0, 7.0);
                           return w.value(h * Vec<2>(std::cos(angle), std::sin(angle)));
                       },
                       {.number = 1000});

@@ -6,6 +6,8 @@
 #include "verification/neighbours/printed_hash_grid.h"
 #include "verification/neighbours/searches.h"
 
+#include <rapidcheck.h>
+
 namespace {
 using namespace plumbline;
 using namespace verification;

@@ -3,6 +3,8 @@
 #include "verification/framework/property.h"
 #include "verification/framework/registry.h"
 
+#include <rapidcheck.h>
+
 #include <bitset>
 
 namespace {

@@ -1,12 +1,9 @@
-#pragma once
-
-#include "verification/framework/lattice_sums.h"
+#include "verification/framework/poly6_field.h"
 
 namespace verification {
 
-template <int Dim> using Point50 = Eigen::Matrix<Real50, Dim, 1>;
+using plumbline::Vec;
 
-/// Σⱼ fⱼ ω(‖x − xⱼ‖) Vⱼ to 50 digits, ω being poly6 of support `h`.
 template <int Dim>
 Real50 poly6_field(const Patch<Dim>& patch, const std::vector<double>& f, double h,
                    const Point50<Dim>& x) {
@@ -20,12 +17,9 @@ Real50 poly6_field(const Patch<Dim>& patch, const std::vector<double>& f, double
     return sum;
 }
 
-/// Central differences of a field with 50 digits and step 1e-12: truncation and cancellation leave
-/// more than 20 correct digits, so they serve as the truth for exact derivatives in double precision.
-template <int Dim, class Field>
-plumbline::Vec<Dim> gradient_to_20_digits(Field field, const plumbline::Vec<Dim>& at) {
+template <int Dim> Vec<Dim> gradient_to_20_digits(const Field50<Dim>& field, const Vec<Dim>& at) {
     const Real50 step("1e-12");
-    plumbline::Vec<Dim> slope;
+    Vec<Dim> slope;
     for (int d = 0; d < Dim; ++d) {
         Point50<Dim> ahead = at.template cast<Real50>(), behind = ahead;
         ahead[d] += step, behind[d] -= step;
@@ -33,8 +27,8 @@ plumbline::Vec<Dim> gradient_to_20_digits(Field field, const plumbline::Vec<Dim>
     }
     return slope;
 }
-template <int Dim, class Field>
-double laplacian_to_20_digits(Field field, const plumbline::Vec<Dim>& at) {
+
+template <int Dim> double laplacian_to_20_digits(const Field50<Dim>& field, const Vec<Dim>& at) {
     const Real50 step("1e-12");
     const Point50<Dim> x = at.template cast<Real50>();
     Real50 sum = 0;
@@ -45,5 +39,15 @@ double laplacian_to_20_digits(Field field, const plumbline::Vec<Dim>& at) {
     }
     return static_cast<double>(sum);
 }
+
+template Real50 poly6_field(const Patch<1>&, const std::vector<double>&, double, const Point50<1>&);
+template Vec<1> gradient_to_20_digits<1>(const Field50<1>&, const Vec<1>&);
+template double laplacian_to_20_digits<1>(const Field50<1>&, const Vec<1>&);
+template Real50 poly6_field(const Patch<2>&, const std::vector<double>&, double, const Point50<2>&);
+template Vec<2> gradient_to_20_digits<2>(const Field50<2>&, const Vec<2>&);
+template double laplacian_to_20_digits<2>(const Field50<2>&, const Vec<2>&);
+template Real50 poly6_field(const Patch<3>&, const std::vector<double>&, double, const Point50<3>&);
+template Vec<3> gradient_to_20_digits<3>(const Field50<3>&, const Vec<3>&);
+template double laplacian_to_20_digits<3>(const Field50<3>&, const Vec<3>&);
 
 }  // namespace verification
