@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/foundation/parallel.h"
 #include "solver/foundation/quantities.h"
 #include "solver/particles/quantities.h"
 
@@ -13,7 +14,9 @@ template <int Dim> struct Gravity {
     Vec<Dim> g;
 
     void run(double, Accelerations<Dim>& a) const {
-        for (Vec<Dim>& a_i : a) a_i += g;
+        parallel_for_parts(a.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) a[i] += g;
+        });
     }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/foundation/parallel.h"
 #include "solver/foundation/sum.h"
 #include "solver/particles/quantities.h"
 #include "solver/scene/pass.h"
@@ -23,7 +24,10 @@ template <int Dim, class... Evolved> struct Evolve {
     static void evaluate(const Lookup& at, double dt, const std::tuple<Passes...>& passes) {
         for_each_rate(at, [](const auto& q, auto& rate) {
             using T = typename std::remove_cvref_t<decltype(q)>::value_type;
-            rate.assign(q.size(), zero<T>());
+            rate.resize(q.size());
+            parallel_for_parts(q.size(), [&](std::size_t first, std::size_t last) {
+                for (std::size_t i = first; i < last; ++i) rate[i] = zero<T>();
+            });
         });
         run_passes(passes, dt, at);
     }
@@ -37,7 +41,9 @@ template <class Q> struct Before : Each<typename Q::value_type, typename Q::set>
 /// q = start + dt · rate, member by member; `q` and `start` may be one array.
 template <class Q, class Start, class R>
 void advance(Q& q, const Start& start, double dt, const R& rate) {
-    for (std::size_t i = 0; i < q.size(); ++i) q[i] = start[i] + dt * rate[i];
+    parallel_for_parts(q.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) q[i] = start[i] + dt * rate[i];
+    });
 }
 
 }  // namespace plumbline

@@ -63,7 +63,9 @@ private:
         auto& q = at.template get<Q>();
         const auto& rate = at.template get<RateOf<Q>>();
         const auto& before = at.template get<Before<RateOf<Q>>>();
-        for (std::size_t i = 0; i < q.size(); ++i) q[i] += half * (rate[i] - before[i]);
+        parallel_for_parts(q.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) q[i] += half * (rate[i] - before[i]);
+        });
     }
 
     std::tuple<Passes...> passes_;

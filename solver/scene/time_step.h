@@ -3,21 +3,38 @@
 #include "solver/fluid/tait_equation.h"
 
 #include <algorithm>
+#include <mutex>
 #include <string_view>
 
 namespace plumbline {
 
 /// The largest stable time steps for the present state [s]; infinite where nothing limits.
 struct TimeStepLimits {
-    double acoustic = HUGE_VAL, viscous = HUGE_VAL, force = HUGE_VAL;
+    double acoustic = HUGE_VAL, viscous = HUGE_VAL, force = HUGE_VAL, advective = HUGE_VAL;
 
-    double smallest() const { return std::min({acoustic, viscous, force}); }
-    /// The name of the smallest one: "acoustic", "viscous" or "force".
+    double smallest() const { return std::min({acoustic, viscous, force, advective}); }
+    /// The name of the smallest one: "acoustic", "viscous", "force" or "advective".
     std::string_view binding() const {
         const double dt = smallest();
-        return acoustic == dt ? "acoustic" : viscous == dt ? "viscous" : "force";
+        return acoustic == dt  ? "acoustic"
+               : viscous == dt ? "viscous"
+               : force == dt   ? "force"
+                               : "advective";
     }
 };
+
+/// The largest f(q) ≥ 0 of all members; the order does not matter, so threads do not.
+template <class Q, class F> double largest(const Q& q, F f) {
+    std::mutex mutex;
+    double most = 0.0;
+    parallel_for_parts(q.size(), [&](std::size_t first, std::size_t last) {
+        double most_of_part = 0.0;
+        for (std::size_t i = first; i < last; ++i) most_of_part = std::max(most_of_part, f(q[i]));
+        const std::scoped_lock lock(mutex);
+        most = std::max(most, most_of_part);
+    });
+    return most;
+}
 
 /// Δt ≤ C h / (c + v), c at the largest density, v the largest speed, h the support: sound must not
 /// cross what a particle feels. With C = 0.4 below the exact limit 2/ω of square, hexagonal and cubic
@@ -30,9 +47,9 @@ template <int Dim> struct AcousticLimit {
     double courant = 0.4;  // C
 
     void run(double, const Velocities<Dim>& v, const Density& rho, TimeStepLimits& limits) const {
-        double v2 = 0.0, largest_density = equation.rest_density();
-        for (const Vec<Dim>& v_i : v) v2 = std::max(v2, v_i.squaredNorm());
-        for (const double rho_i : rho) largest_density = std::max(largest_density, rho_i);
+        const double v2 = largest(v, [](const Vec<Dim>& v_i) { return v_i.squaredNorm(); });
+        const double largest_density =
+            std::max(equation.rest_density(), largest(rho, [](double rho_i) { return rho_i; }));
         limits.acoustic =
             courant * support / (equation.speed_of_sound(largest_density) + std::sqrt(v2));
     }
@@ -60,9 +77,22 @@ template <int Dim> struct ForceLimit {
     double fraction = 0.25;  // C
 
     void run(double, const Accelerations<Dim>& a, TimeStepLimits& limits) const {
-        double a2 = 0.0;
-        for (const Vec<Dim>& a_i : a) a2 = std::max(a2, a_i.squaredNorm());
+        const double a2 = largest(a, [](const Vec<Dim>& a_i) { return a_i.squaredNorm(); });
         limits.force = fraction * std::sqrt(support / std::sqrt(a2));
+    }
+};
+
+/// Δt ≤ C d / v, v the largest speed: for incompressible fluids, where no particle is to move by much of the
+/// spacing d in a step.
+template <int Dim> struct AdvectiveLimit {
+    using Reads = Quantities<Velocities<Dim>>;
+    using Writes = Quantities<TimeStepLimits>;
+    double spacing;         // d [m]
+    double fraction = 0.4;  // C
+
+    void run(double, const Velocities<Dim>& v, TimeStepLimits& limits) const {
+        const double v2 = largest(v, [](const Vec<Dim>& v_i) { return v_i.squaredNorm(); });
+        limits.advective = fraction * spacing / std::sqrt(v2);
     }
 };
 
