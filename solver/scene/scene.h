@@ -1,10 +1,13 @@
 #pragma once
 
 #include "solver/foundation/errors.h"
+#include "solver/foundation/parallel.h"
 #include "solver/foundation/sum.h"
+#include "solver/particles/quantities.h"
 #include "solver/scene/pass.h"
 
 #include <optional>
+#include <span>
 #include <string>
 
 namespace plumbline {
@@ -57,8 +60,27 @@ public:
         run_passes(passes_, dt, [&]<class Q>(std::type_identity<Q>) -> Q& { return get<Q>(); });
     }
 
+    /// Puts the particles into another order: member k of each of their quantities is the one that was
+    /// member order[k]. Neighbourhoods still have the old numbers, until they are found anew.
+    void reorder(std::span<const Index> order) {
+        const auto put = [&]<class Q>(Q& q) {
+            if constexpr (detail::OnePerMember<Q>)
+                if constexpr (std::is_same_v<typename Q::set, Particles>)
+                    if (q.size() == order.size()) permute(q, order);
+        };
+        std::apply([&](auto&... q) { (put(q), ...); }, store_);
+    }
+
 private:
     using GivenQuantities = Union<typename detail::GivenBy<Passes>::type...>;
+
+    template <class Q> static void permute(Q& q, std::span<const Index> order) {
+        std::vector<typename Q::value_type> permuted(q.size());
+        parallel_for_parts(q.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) permuted[k] = q[order[k]];
+        });
+        q.swap(permuted);
+    }
 
     template <class... In> static constexpr void check(Quantities<In...>) {
         static_assert((stores<In> && ...),
