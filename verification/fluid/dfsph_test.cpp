@@ -14,7 +14,7 @@ using namespace plumbline;
 using W = WendlandC2<2>;
 using Search = BruteForce<2>;
 
-/// Particles of mass 1, far nearer to each other than the rest density of 1 allows.
+/// Particles of mass 1, far nearer to each other than the rest density of 0.5 allows.
 auto pressed_together(const std::vector<Vec<2>>& x, ProjectionLimits limits) {
     Scene scene{Given<Positions<2>, Velocities<2>, Masses>{},
                 Given<GhostPositions<2>, GhostVelocities<2>, GhostMasses>{},
@@ -23,7 +23,7 @@ auto pressed_together(const std::vector<Vec<2>>& x, ProjectionLimits limits) {
                 SphDensity<W>{W(2.0)},
                 CollectGradients<W>{W(2.0)},
                 Kick<2>{},
-                ConstantDensity<2>{1.0, limits},
+                ConstantDensity<2>{0.5, limits},
                 Drift<2>{}};
     scene.get<Positions<2>>().assign(x.begin(), x.end());
     scene.get<Velocities<2>>().assign(x.size(), Vec<2>::Zero());
@@ -33,11 +33,11 @@ auto pressed_together(const std::vector<Vec<2>>& x, ProjectionLimits limits) {
 const std::vector<Vec<2>> three = {{0.0, 0.0}, {0.5, 0.0}, {0.2, 0.4}};
 
 TEST_CASE("a solve that does not converge says so, and the next one that does") {
-    auto scene = pressed_together(three, {.tolerance = 1e-9, .most = 3});
+    auto scene = pressed_together(three, {.tolerance = 1e-9, .most = 1});
     scene.step(0.1);
     const auto& report = scene.get<DensityReport>();
     CHECK(!report.converged);
-    CHECK(report.iterations == 3);
+    CHECK(report.iterations == 1);
     CHECK(report.failures == 1);
     CHECK(report.error > 1e-9);
 
