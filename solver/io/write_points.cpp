@@ -1,13 +1,11 @@
 #include "solver/io/write_points.h"
 
-#include "solver/io/base64.h"
 #include "solver/io/csv.h"
+#include "solver/io/vtk_xml.h"
 
 #include <algorithm>
 #include <bit>
-#include <cstdint>
 #include <cstring>
-#include <span>
 
 namespace plumbline {
 
@@ -41,44 +39,6 @@ void append_bytes(std::string& bytes, double value, bool big_endian) {
     if (big_endian == (std::endian::native == std::endian::little))
         std::reverse(std::begin(raw), std::end(raw));
     bytes.append(raw, sizeof raw);
-}
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
-void write_array(std::ostream& out, std::string_view name, int components,
-                 std::span<const double> values, VtpEncoding encoding) {
-    out << "<DataArray type=\"Float64\" Name=\"" << escaped(name) << "\" NumberOfComponents=\""
-        << components << "\" format=\"" << (encoding == VtpEncoding::ascii ? "ascii" : "binary")
-        << "\">\n";
-    if (encoding == VtpEncoding::ascii) {
-        for (const double value : values) out << digits17(value) << '\n';
-    } else {
-        const std::uint64_t length = values.size_bytes();
-        std::string bytes(sizeof length, '\0');
-        std::memcpy(bytes.data(), &length, sizeof length);
-        for (const double value : values)
-            append_bytes(bytes, value, std::endian::native == std::endian::big);
-        out << encode_base64(bytes) << '\n';
-    }
-    out << "</DataArray>\n";
 }
 }  // namespace
 
@@ -123,14 +83,13 @@ void write_points_vtp(std::ostream& out, const PointFile& points, VtpEncoding en
         xyz.push_back(points.coordinates[i]);
         if (points.dim == 2 && i % 2 == 1) xyz.push_back(0.0);
     }
-    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\""
-        << (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian")
-        << "\" header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"" << points.size()
-        << "\">\n<Points>\n";
-    write_array(out, "Points", 3, xyz, encoding);
+    begin_vtk(out, "PolyData");
+    out << "<Piece NumberOfPoints=\"" << points.size() << "\">\n<Points>\n";
+    write_vtk_array(out, "Points", 3, xyz, encoding);
     out << "</Points>\n<PointData>\n";
-    for (const PointColumn& c : points.columns) write_array(out, c.name, 1, c.values, encoding);
-    out << "</PointData>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+    for (const PointColumn& c : points.columns) write_vtk_array(out, c.name, 1, c.values, encoding);
+    out << "</PointData>\n</Piece>\n";
+    end_vtk(out, "PolyData");
 }
 
 }  // namespace plumbline

@@ -45,15 +45,36 @@ std::string ScratchFolder::read(const std::string& file) const {
     return text.str();
 }
 
-ProgramRun run_plumbline(const ScratchFolder& folder, const std::vector<std::string>& arguments,
-                         int seconds) {
-    std::string command = "cd " + quoted(folder.path().string()) + " && timeout -s KILL " +
-                          std::to_string(seconds) + " " + quoted(PLUMBLINE_PROGRAM);
+namespace {
+/// The program and its arguments, as a shell starts it.
+std::string started(const std::vector<std::string>& arguments) {
+    std::string command = quoted(PLUMBLINE_PROGRAM);
     for (const std::string& argument : arguments) command += " " + quoted(argument);
-    command += " </dev/null >.stdout 2>.stderr";
-    const int status = std::system(command.c_str());
+    return command + " </dev/null >.stdout 2>.stderr";
+}
+ProgramRun run_in_shell(const ScratchFolder& folder, const std::string& command) {
+    const int status =
+        std::system(("cd " + quoted(folder.path().string()) + " && " + command).c_str());
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return {code, folder.read(".stdout"), folder.read(".stderr")};
+}
+}  // namespace
+
+ProgramRun run_plumbline(const ScratchFolder& folder, const std::vector<std::string>& arguments,
+                         int seconds, const std::string& before) {
+    return run_in_shell(folder, before + " && timeout -s KILL " + std::to_string(seconds) + " " +
+                                    started(arguments));
+}
+
+ProgramRun interrupt_plumbline(const ScratchFolder& folder,
+                               const std::vector<std::string>& arguments, const std::string& file,
+                               std::size_t bytes) {
+    // In the end it is waited for in any case; timeout would not pass the signal on.
+    return run_in_shell(folder, "{ " + started(arguments) + " & } && program=$! && " +
+                                    "while kill -0 $program 2>/dev/null && [ \"$(stat -c %s " +
+                                    quoted(file) + " 2>/dev/null || echo 0)\" -lt " +
+                                    std::to_string(bytes) +
+                                    " ]; do sleep 0.02; done; kill -INT $program; wait $program");
 }
 
 }  // namespace verification

@@ -29,7 +29,13 @@ private:
 };
 
 /// Runs the built `plumbline` in `folder`, with nothing on stdin, and kills it after `seconds`.
+/// `before` is a command of the shell that starts it, as "ulimit -f 100".
 ProgramRun run_plumbline(const ScratchFolder& folder, const std::vector<std::string>& arguments,
-                         int seconds = 60);
+                         int seconds = 60, const std::string& before = ":");
+
+/// Starts it likewise, and interrupts it (Ctrl-C) once `file` in the folder has `bytes` bytes.
+ProgramRun interrupt_plumbline(const ScratchFolder& folder,
+                               const std::vector<std::string>& arguments, const std::string& file,
+                               std::size_t bytes);
 
 }  // namespace verification
