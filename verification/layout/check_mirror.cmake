@@ -8,7 +8,14 @@ set(solver_files_without_claims
     "foundation/errors.h: one exception type, whose messages verification/reports/bad_input_test.cpp reads"
     "approximation/samples.h: a view without code"
     "approximation/shape_row.h: views without code"
-    "particles/quantities.h: names for arrays")
+    "particles/quantities.h: names for arrays"
+    "scene/composed.h: a scene behind simulation.h, which checkpoint.cpp and guarded_run_test.cpp step"
+    "scene/delta_sph_simulation.h: a list of passes, stepped by checkpoint.cpp"
+    "scene/grid_passes.h: passes of find_neighbours.h, compiled once"
+    "scene/simulation.h: an interface"
+    "scene/sph_simulation.h: a list of passes, stepped by checkpoint.cpp"
+    "scene/terms.h: the choices of scene_file.h as passes"
+    "scene/toml_section.h: the messages that scene_file_test.cpp reads")
 # "file: why no single file of the solver stands behind it".
 set(verification_files_without_method
     "approximation/convergence_studies.cpp: compares all methods"

@@ -1,0 +1,158 @@
+#include "solver/scene/start.h"
+
+#include "solver/particles/hexagonal.h"
+#include "solver/particles/jittered.h"
+#include "solver/particles/lattice.h"
+#include "solver/scene/grid_passes.h"
+
+#include <sstream>
+
+namespace plumbline {
+
+namespace {
+std::string in_words(double x) {
+    std::ostringstream text;
+    text << x;
+    return text.str();
+}
+template <int Dim> Vec<Dim> flat(const Vec<3>& x) { return x.template head<Dim>(); }
+
+template <int Dim> Points<Dim> sampled(const FluidBlock& block, const Box<Dim>& box, double d) {
+    if (block.sampling == Sampling::jittered) return jittered<Dim>(box, d, block.jitter, 1);
+    if constexpr (Dim == 2)
+        if (block.sampling == Sampling::hexagonal) return hexagonal(box, d);
+    return lattice<Dim>(box, d);
+}
+
+/// p of a column at rest whose surface is the top of the block.
+template <int Dim>
+double hydrostatic_pressure(const SceneFile& scene, const FluidBlock& block, const Vec<Dim>& x) {
+    const Vec<Dim> g = flat<Dim>(scene.gravity);
+    double highest = -HUGE_VAL;  // of −g·x over the corners of the box
+    for (int corner = 0; corner < 1 << Dim; ++corner) {
+        Vec<Dim> y;
+        for (int d = 0; d < Dim; ++d) y[d] = (corner >> d & 1) != 0 ? block.high[d] : block.low[d];
+        highest = std::max(highest, -g.dot(y));
+    }
+    return scene.density * (highest + g.dot(x));
+}
+
+template <int Dim> void add(const SceneFile& scene, const FluidBlock& block, Start<Dim>& start) {
+    const double d = scene.spacing;
+    const double cell =
+        (block.sampling == Sampling::hexagonal ? std::sqrt(0.75) : 1.0) * std::pow(d, Dim);
+    const TaitEquation tait = tait_of(scene);
+    Points<Dim> points;
+    try {
+        points = sampled<Dim>(block, {flat<Dim>(block.low), flat<Dim>(block.high)}, d);
+    } catch (const InvalidInput& e) {
+        throw InvalidInput(block.place + ": " + e.what());
+    }
+    const std::size_t before = start.x.size();
+    for (const Vec<Dim>& x : points) {
+        const Vec<Dim> from_centre = x - flat<Dim>(block.centre);
+        if (block.sphere && !(from_centre.norm() < block.radius)) continue;
+        const double rho = block.hydrostatic
+                               ? tait.density(hydrostatic_pressure<Dim>(scene, block, x))
+                               : scene.density;
+        start.x.push_back(x);
+        start.v.push_back(flat<Dim>(block.velocity) +
+                          block.stretching.template topLeftCorner<Dim, Dim>() * from_centre);
+        start.m.push_back(rho * cell);
+        start.rho.push_back(rho);
+    }
+    if (start.x.size() == before)
+        throw InvalidInput(block.place +
+                           ": expected a block with particles, found none of spacing " +
+                           std::to_string(d) + " in it");
+}
+
+template <int Dim> void require_apart(const SceneFile& scene, const Start<Dim>& start) {
+    Positions<Dim> all;
+    all.assign(start.x.begin(), start.x.end());
+    all.insert(all.end(), start.ghosts.begin(), start.ghosts.end());
+    Neighbourhood<Dim> near;
+    FindInGrid<Dim>{0.2 * scene.spacing}.run(0.0, all, near);
+    for (Index i = 0; i < start.x.size(); ++i)
+        for (const Index j : near.lists.of(i))
+            if (j != i)
+                throw InvalidInput(
+                    scene.name +
+                    ": expected blocks that do not overlap, nor reach into walls; found "
+                    "particles at " +
+                    in_words(all[i][0]) + ", " + in_words(all[i][1]) + " closer than 0.2 spacings");
+}
+
+/// How many cells an edge of a tank holds.
+double cells_of_edge(const Wall& wall, double length, double d) {
+    const double cells = std::round(length / d);
+    if (cells < 1.0 || std::abs(length / d - cells) > 1e-6)
+        throw InvalidInput(wall.place +
+                           ": expected a tank whose edges are multiples of the spacing " +
+                           in_words(d) + ", found " + in_words(length));
+    return cells;
+}
+
+template <int Dim> void add_tank(const SceneFile& scene, const Wall& wall, Start<Dim>& start) {
+    const double d = scene.spacing, layers = scene.wall_layers;
+    Box<Dim> around{flat<Dim>(wall.low), flat<Dim>(wall.high)};
+    std::array<double, Dim> below, cells;
+    for (int k = 0; k < Dim; ++k) {
+        cells[k] = cells_of_edge(wall, wall.high[k] - wall.low[k], d);
+        below[k] = wall.open[k][0] ? 0.0 : layers;
+        around.low[k] -= below[k] * d;
+        // Half a cell more, so that rounding cannot take the last one.
+        around.high[k] =
+            around.low[k] + (below[k] + cells[k] + (wall.open[k][1] ? 0.0 : layers) + 0.5) * d;
+    }
+    const auto is_wall = [&](const std::array<std::int64_t, Dim>& cell) {
+        for (int k = 0; k < Dim; ++k) {
+            const double at = static_cast<double>(cell[k]) - below[k];
+            if (at < 0.0 || at >= cells[k]) return true;
+        }
+        return false;
+    };
+    const auto ghosts = cell_centres<Dim>(around, Vec<Dim>::Constant(d), is_wall);
+    start.ghosts.insert(start.ghosts.end(), ghosts.begin(), ghosts.end());
+}
+
+/// Ghosts in the lattice cells behind the plane, as far as the domain reaches.
+template <int Dim> void add_plane(const SceneFile& scene, const Wall& wall, Start<Dim>& start) {
+    const double d = scene.spacing, thickness = scene.wall_layers * d;
+    if (!scene.domain)
+        throw InvalidInput(wall.place +
+                           ": expected a table [domain], which bounds the plane, found none");
+    const Vec<Dim> point = flat<Dim>(wall.point), normal = flat<Dim>(wall.normal);
+    Box<Dim> around{flat<Dim>((*scene.domain)[0]), flat<Dim>((*scene.domain)[1])};
+    for (int k = 0; k < Dim; ++k) {
+        // Cells begin at the plane where it is across this axis.
+        const double cells = std::ceil((point[k] - around.low[k] + thickness) / d - 1e-9);
+        around.low[k] = point[k] - cells * d;
+        around.high[k] += thickness + 0.5 * d;
+    }
+    for (const Vec<Dim>& x : lattice<Dim>(around, d)) {
+        const double depth = normal.dot(point - x);
+        if (depth > 0.0 && depth < thickness) start.ghosts.push_back(x);
+    }
+}
+}  // namespace
+
+template <int Dim> Start<Dim> start_of(const SceneFile& scene) {
+    Start<Dim> start;
+    for (const FluidBlock& block : scene.blocks) add<Dim>(scene, block, start);
+    for (const Wall& wall : scene.walls) {
+        if (wall.plane)
+            add_plane<Dim>(scene, wall, start);
+        else
+            add_tank<Dim>(scene, wall, start);
+        start.ghost_velocities.resize(start.ghosts.size(), flat<Dim>(wall.velocity));
+    }
+    start.ghost_masses.assign(start.ghosts.size(), scene.density * std::pow(scene.spacing, Dim));
+    require_apart<Dim>(scene, start);
+    return start;
+}
+
+template Start<2> start_of<2>(const SceneFile&);
+template Start<3> start_of<3>(const SceneFile&);
+
+}  // namespace plumbline

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "solver/fluid/tait_equation.h"
+#include "solver/particles/box.h"
+#include "solver/particles/quantities.h"
+#include "solver/scene/scene_file.h"
+
+namespace plumbline {
+
+/// The particles and ghosts of a scene file at its start.
+template <int Dim> struct Start {
+    Positions<Dim> x;
+    Velocities<Dim> v;
+    Masses m;
+    Density rho;
+    GhostPositions<Dim> ghosts;
+    GhostVelocities<Dim> ghost_velocities;
+    GhostMasses ghost_masses;
+};
+
+/// Each particle has the mass ρ d^Dim (on a hexagonal lattice √3/2 of that), d the spacing, with ρ = ρ₀ or, in a
+/// hydrostatic block, ρ(p) at its depth. Ghosts have ρ₀ d^Dim, in layers of a lattice that goes on where a
+/// lattice of fluid inside would end.
+/// Throws InvalidInput as make_simulation does.
+template <int Dim> Start<Dim> start_of(const SceneFile& scene);
+
+inline TaitEquation tait_of(const SceneFile& scene) {
+    return TaitEquation(scene.density, scene.speed_of_sound, scene.exponent);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,99 @@
+#include "solver/scene/checkpoint.h"
+
+#include "solver/foundation/parallel.h"
+#include "solver/scene/guarded_run.h"
+#include "verification/framework/registry.h"
+#include "verification/scene/scene_texts.h"
+
+#include <algorithm>
+
+namespace {
+using namespace plumbline;
+using namespace verification;
+
+/// A state of a simulation, and where in time it is.
+struct State {
+    double time = 0.0;
+    std::string bytes = {};
+};
+
+/// `steps` steps from `start`, or from the beginning if that is empty.
+State advanced(const SceneFile& scene, const State& start, int steps) {
+    const auto simulation = make_simulation(scene);
+    if (!start.bytes.empty()) simulation->load(start.bytes);
+    GuardedRun run(*simulation, domain_of(scene, simulation->snapshot()));
+    run.restart_at(start.time, 0);
+    for (int n = 0; n < steps; ++n)
+        run.step(next_step(scene, simulation->limits(), run.time(), scene.end));
+    State end{run.time()};
+    simulation->save(end.bytes);
+    return end;
+}
+
+/// The state without what its particles have of density: as in a checkpoint that has only positions,
+/// velocities and masses.
+void forget_density(const SceneFile& scene, std::string& bytes) {
+    std::size_t n = 0;
+    std::memcpy(&n, bytes.data(), sizeof n);
+    const std::size_t vectors = sizeof n + n * sizeof(double) * static_cast<std::size_t>(scene.dim);
+    const std::size_t masses = sizeof n + n * sizeof(double);
+    const std::vector<double> densities(n, scene.density);
+    std::memcpy(bytes.data() + 2 * vectors + masses + sizeof n, densities.data(),
+                n * sizeof(double));
+}
+/// The state without its last quantity, the limits of the next step.
+void forget_limits(const SceneFile&, std::string& bytes) {
+    TimeStepLimits limits;
+    limits.acoustic = 1e-4;
+    std::memcpy(bytes.data() + bytes.size() - sizeof limits, &limits, sizeof limits);
+}
+
+double differences(const std::string& one, const std::string& other) {
+    double different = one.size() == other.size() ? 0.0 : HUGE_VAL;
+    for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k)
+        different += one[k] != other[k];
+    return different;
+}
+
+using Forget = void (*)(const SceneFile&, std::string&);
+
+/// Bytes in which 6 steps differ from 3, a checkpoint, and 3 more; with 1 and with 2 threads.
+double different_bytes(int dim, const std::string& method, Forget forget) {
+    const SceneFile scene = SceneFile::parse("scene", dam_break_scene(dim, method, 1.0));
+    const int threads = thread_count();
+    double different = 0.0;
+    std::string first;
+    for (const int used : {1, 2}) {
+        set_thread_count(used);
+        const State whole = advanced(scene, {}, 6);
+        State half = advanced(scene, {}, 3);
+        if (forget) forget(scene, half.bytes);
+        const State rest = advanced(scene, half, 3);
+        if (first.empty()) first = whole.bytes;
+        different += differences(whole.bytes, rest.bytes) + differences(whole.bytes, first);
+    }
+    set_thread_count(threads);
+    return different;
+}
+
+Claim continues(const std::string& id, int dim, const std::string& method, Forget forget,
+                const std::string& forgotten) {
+    return {.id = "checkpoint.continues_bit_for_bit_" + id,
+            .source = {Paper::plumbline, "docstring of save_state"},
+            .says = "6 steps are 3, a checkpoint, and 3 in a new simulation (" + method +
+                    "), with 1 and 2 threads alike: bytes of the state that differ; not if the "
+                    "checkpoint leaves out " +
+                    forgotten,
+            .bound = at_most(0.0,
+                             "the same operations on the same bits, and no sum depends on "
+                             "the threads"),
+            .measure = [=] { return different_bytes(dim, method, nullptr); },
+            .sabotaged = [=] { return different_bytes(dim, method, forget); }};
+}
+
+const Register claims_of_checkpoint{
+    continues("delta_sph_2d", 2, "delta_sph", forget_density, "the density"),
+    continues("delta_sph_3d", 3, "delta_sph", forget_density, "the density"),
+    continues("sph_2d", 2, "sph", forget_limits, "the limits of the time step"),
+    continues("sph_3d", 3, "sph", forget_limits, "the limits of the time step")};
+}  // namespace
