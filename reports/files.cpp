@@ -2,6 +2,8 @@
 
 #include "solver/foundation/errors.h"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -15,7 +17,12 @@ void write_file(const std::filesystem::path& file, std::string_view text) {
         std::ofstream out(partial, std::ios::binary);
         out.write(text.data(), static_cast<std::streamsize>(text.size()));
         out.flush();
-        if (!out) throw std::runtime_error("cannot write " + file.string());
+        if (!out) {
+            const std::string why = std::strerror(errno);
+            out.close();
+            std::filesystem::remove(partial);
+            throw std::runtime_error("cannot write " + file.string() + ": " + why);
+        }
     }
     std::filesystem::rename(partial, file);
 }

@@ -1,5 +1,6 @@
 #include "reports/commands/command.h"
 #include "reports/json.h"
+#include "reports/scenes.h"
 #include "solver/kernels/all_kernels.h"
 #include "solver/particles/samplings.h"
 #include "verification/framework/registry.h"
@@ -63,6 +64,13 @@ Json samplings() {
     return all;
 }
 
+Json scenes() {
+    Json all = Json::array();
+    for (const ExampleScene& s : example_scenes())
+        all.push_back(row(s.name, "reports/scenes", s.title));
+    return all;
+}
+
 struct Kind {
     const char* name;
     Json (*list)();
@@ -72,7 +80,8 @@ constexpr Kind kinds[] = {{"claims", [] { return described(verification::claims(
                           {"errata", errata},
                           {"statements", statements},
                           {"kernels", kernels},
-                          {"samplings", samplings}};
+                          {"samplings", samplings},
+                          {"scenes", scenes}};
 
 struct Options {
     std::string kind, json;
@@ -92,7 +101,7 @@ ExitCode list(const Options& options) {
 }
 
 const RegisterCommand command{
-    {"list", "what there is: claims, studies, errata, statements, kernels, samplings",
+    {"list", "what there is: claims, studies, errata, statements, kernels, samplings, scenes",
      [](CLI::App& app) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
          std::vector<std::string> names;

@@ -1,4 +1,5 @@
 #include "verification/reports/program.h"
+#include "verification/scene/scene_texts.h"
 
 #include <catch2/catch.hpp>
 
@@ -55,6 +56,49 @@ std::vector<std::string> samples(const std::string& file) { return approximate("
 std::vector<std::string> neighbours_of(const std::string& file) {
     return {"neighbours", "--points", file, "--radius", "0.5"};
 }
+
+/// `run` with a scene in which `from` was replaced by `to`; the scene is the name of its file.
+struct BadScene {
+    std::string from, to, message;
+};
+const std::vector<BadScene> scenes{
+    {"title = \"dam break\"\n", "", "s.toml:1:1: expected a key \"title\" in the file, a text"},
+    {"dim = 2", "dim = 1", "s.toml:2:7: expected a whole number from 2 to 3, found 1"},
+    {"dim = 2", "dim = \"two\"", "s.toml:2:7: expected a whole number from 2 to 3, found \"two\""},
+    {"dim = 2", "dim = 2\ndim = 3", "s.toml:3:7: expected TOML, found something else"},
+    {"dim = 2", "dim = ", "s.toml:2:7: expected TOML, found something else"},
+    {"\"delta_sph\"", "\"pcisph\"",
+     "s.toml:3:10: expected one of \"sph\", \"delta_sph\", found \"pcisph\""},
+    {"[0, -9.81]", "-9.81", "s.toml:4:11: expected a list of 2 numbers, found -9.81"},
+    {"[0, -9.81]", "[0, inf]", "s.toml:4:15: expected a finite number, found inf"},
+    {"[particles]", "[particle]", "s.toml:1:1: expected a table [particles], found none"},
+    {"[particles]", "particles = 3\n[grains]",
+     "s.toml:5:13: expected a table [particles], found 3"},
+    {"spacing = 0.02", "spacing = -0.02", "s.toml:6:11: expected a number > 0, found -0.02"},
+    {"spacing = 0.02", "spacing = 0", "s.toml:6:11: expected a number > 0, found 0"},
+    {"spacing = 0.02", "spacing = 1e-7", "expected 1 to 4294967294"},
+    {"support = 2.6", "support = 0.5", "s.toml:7:11: expected a number from 1.6 to 6, found 0.5"},
+    {"support = 2.6", "h = 2.6",
+     "s.toml:7:1: expected one of the keys spacing, support in [particles], found \"h\""},
+    {"density = 1000\n", "", "s.toml:8:1: expected a key \"density\" in [fluid], a number > 0"},
+    {"density = 1000\n", "density = 1000\nexponent = 0.5\n",
+     "s.toml:10:12: expected a number from 1 to 20, found 0.5"},
+    {"tension = 0", "tension = 2", "s.toml:13:11: expected a number from 0 to 1, found 2"},
+    {"alpha = 0.1", "mu = 0.1", "expected no key \"mu\" without viscosity = \"brookshaw\""},
+    {"[[block]]", "[block]", "expected tables [[block]], found a table"},
+    {"high = [0.6, 0.3]", "high = [0.6, -0.3]", "expected a corner above the one of \"low\""},
+    {"high = [0.6, 0.3]", "high = [0.6, 0.001]", "s.toml:14:1: spacing: expected cells that fit"},
+    {"high = [1, 0.6]", "high = [1.003, 0.6]", "expected a tank whose edges are multiples of"},
+    {"low = [0, 0]", "low = [-0.1, 0]",
+     "expected blocks that do not overlap, nor reach into walls"},
+    {"[time]", "[time]\nstep = -1", "expected a number > 0, found -1"},
+    {"[time]", "[time]\nstart = 0",
+     "s.toml:24:1: expected one of the keys end, largest_step, step in [time], found \"start\""},
+    {"interval = 0.02", "interval = 1e-9", "expected at most 100000 frames up to the end"},
+    {"picture = \"none\"", "picture = \"red\"", "expected one of \"speed\", \"pressure\""},
+    {"picture = \"none\"", "surface = 1", "expected a table [surface], found 1"},
+    {"[time]", "[[probe]]\nname = \"p\"\nquantity = \"colour\"\nat = [0, 0]\n[time]",
+     "expected one of \"pressure\", \"density\", \"speed\", \"height\", found \"colour\""}};
 
 const std::vector<BadInput> table{
     {{}, "no command given; expected one of: "},
@@ -146,6 +190,17 @@ const std::vector<BadInput> table{
     {{"report", "--baseline", "nowhere.json"}, "nowhere.json: expected a file that can be read"},
     {{"report", "--baseline", "cut.json"}, "cut.json:1:45: expected JSON, as --json writes it"},
     {{"doctor", "--json", "no/folder.json"}, "its folder does not exist"},
+
+    {{"run"}, "is required"},
+    {{"run", "nowhere.toml"}, "nowhere.toml: expected a scene file, or the name of an example"},
+    {{"run", "."}, ".: expected a scene file that can be read"},
+    {{"run", "empty.csv"}, "empty.csv:1:1: expected a key \"title\" in the file"},
+    {{"run", "picture.csv"}, "picture.csv:1:1: expected TOML, found something else"},
+    {{"run", "hydrostatic", "-o", "good.csv"}, "found \"good.csv\": that is a file"},
+    {{"run", "hydrostatic", "-o", "none", "--continue"},
+     "none/checkpoint: expected a file that can"},
+    {{"run", "hydrostatic", "--steps", "0"}, "Value 0 not in range 1 to"},
+    {{"run", "hydrostatic", "--continue", "--overwrite"}, "excludes"},
 };
 
 std::string sentence(const std::vector<std::string>& arguments) {
@@ -164,6 +219,23 @@ TEST_CASE("bad input gets a message and an exit code, and never an answer") {
         CHECK(run.exit_code == bad.exit_code);
         CHECK(run.err.find(bad.message) != std::string::npos);
         CHECK(run.out.empty());
+    }
+}
+
+TEST_CASE("a wrong scene gets a message with its place, and nothing is written") {
+    REQUIRE(scenes.size() >= 20);
+    const ScratchFolder folder;
+    const std::string good = dam_break_scene(2, "delta_sph", 1.0);
+    for (const BadScene& bad : scenes) {
+        const std::string text = with(good, bad.from, bad.to);
+        REQUIRE_FALSE(text.empty());
+        folder.write("s.toml", text);
+        const ProgramRun run = run_plumbline(folder, {"run", "s.toml", "-o", "out"});
+        INFO(bad.from << " -> " << bad.to << "\nstderr: " << run.err);
+        CHECK(run.exit_code == 2);
+        CHECK(run.err.find(bad.message) != std::string::npos);
+        CHECK(run.out.empty());
+        CHECK_FALSE(std::filesystem::exists(folder.path() / "out"));
     }
 }
 }  // namespace

@@ -1,0 +1,46 @@
+#include "reports/run/run_scene.h"
+
+#include "reports/commands/checks.h"
+#include "reports/commands/command.h"
+#include "reports/scenes.h"
+#include "solver/scene/scene_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <memory>
+
+namespace reports {
+namespace {
+struct Options {
+    std::string scene;
+    RunOptions run;
+};
+
+ExitCode run(Options options) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large then fails like a full disk
+    const std::filesystem::path file = scene_path(options.scene);
+    if (options.run.folder.empty()) options.run.folder = file.stem().string() + "_run";
+    run_scene(plumbline::SceneFile::read(file), options.run);
+    return ExitCode::ok;
+}
+
+const RegisterCommand command{
+    {"run", "a simulation of a scene file: ParaView series, scalars, pictures, a manifest",
+     [](CLI::App& app) -> std::function<ExitCode()> {
+         const auto options = std::make_shared<Options>();
+         app.add_option("scene", options->scene, "the scene file, or the name of an example")
+             ->required();
+         app.add_option("-o,--output", options->run.folder,
+                        "the folder to write into (default: the name of the scene and \"_run\")")
+             ->check(output_folder());
+         app.add_option("--steps", options->run.steps, "stop after so many steps")
+             ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40));
+         const auto go_on = app.add_flag("--continue", options->run.go_on,
+                                         "go on with the run that is in the folder");
+         app.add_flag("--overwrite", options->run.overwrite, "delete a run that is in the folder")
+             ->excludes(go_on);
+         return [options] { return run(*options); };
+     }}};
+}  // namespace
+}  // namespace reports
