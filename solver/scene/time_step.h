@@ -55,8 +55,8 @@ template <int Dim> struct AcousticLimit {
     }
 };
 
-/// Δt ≤ C h²/ν, ν the kinematic viscosity. C = 0.04 is less than two thirds of the exact limit 2/(ν λ)
-/// of BrookshawViscosity on hexagonal and close packed lattices.
+/// Δt ≤ C h²/ν, ν the kinematic viscosity. C = 0.04 is below the exact limit 2/(ν λ) of
+/// BrookshawViscosity on hexagonal and close packed lattices.
 struct ViscousLimit {
     using Reads = Quantities<>;
     using Writes = Quantities<TimeStepLimits>;

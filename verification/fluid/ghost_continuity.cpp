@@ -9,17 +9,11 @@ namespace {
 using namespace plumbline;
 using namespace verification;
 
-/// The difference of a lattice that is fluid throughout from one with a wall, with its ghosts or without.
 template <int Dim> double difference(bool with_ghosts) {
     using Wall = WallInALattice<Dim>;
     using W = typename Wall::W;
-    const W w = Wall::kernel();
-    const auto everything = Wall::evaluate(false, Continuity<W>{w});
-    if (!with_ghosts)
-        return Wall::template difference<Rate<Density>>(everything,
-                                                        Wall::evaluate(true, Continuity<W>{w}));
-    return Wall::template difference<Rate<Density>>(
-        everything, Wall::evaluate(true, Continuity<W>{w}, GhostContinuity<W>{w}));
+    return Wall::template difference_at_wall<Rate<Density>>(
+        with_ghosts, Continuity<W>{Wall::kernel()}, GhostContinuity<W>{Wall::kernel()});
 }
 
 const Register same{in_dimensions<2, 3>([]<int D>() {

@@ -9,17 +9,11 @@ namespace {
 using namespace plumbline;
 using namespace verification;
 
-/// The difference of a lattice that is fluid throughout from one with a wall, with its ghosts or without.
 template <int Dim> double difference(bool with_ghosts) {
     using Wall = WallInALattice<Dim>;
     using W = typename Wall::W;
-    const W w = Wall::kernel();
-    const auto everything = Wall::evaluate(false, PressureForce<W>{w});
-    if (!with_ghosts)
-        return Wall::template difference<Accelerations<Dim>>(
-            everything, Wall::evaluate(true, PressureForce<W>{w}));
-    return Wall::template difference<Accelerations<Dim>>(
-        everything, Wall::evaluate(true, PressureForce<W>{w}, GhostPressureForce<W>{w}));
+    return Wall::template difference_at_wall<Accelerations<Dim>>(
+        with_ghosts, PressureForce<W>{Wall::kernel()}, GhostPressureForce<W>{Wall::kernel()});
 }
 
 struct SetPressure {

@@ -8,17 +8,12 @@ namespace {
 using namespace plumbline;
 using namespace verification;
 
-/// The difference of a lattice that is fluid throughout from one with a wall, with its ghosts or without.
 template <int Dim> double difference(bool with_ghosts) {
     using Wall = WallInALattice<Dim>;
     using W = typename Wall::W;
-    const W w = Wall::kernel();
-    const auto everything = Wall::evaluate(false, AverageVelocities<W>{w});
-    if (!with_ghosts)
-        return Wall::template difference<VelocityTowardsMean<Dim>>(
-            everything, Wall::evaluate(true, AverageVelocities<W>{w}));
-    return Wall::template difference<VelocityTowardsMean<Dim>>(
-        everything, Wall::evaluate(true, AverageVelocities<W>{w}, AverageGhostVelocities<W>{w}));
+    return Wall::template difference_at_wall<VelocityTowardsMean<Dim>>(
+        with_ghosts, AverageVelocities<W>{Wall::kernel()},
+        AverageGhostVelocities<W>{Wall::kernel()});
 }
 
 const Register same{in_dimensions<2, 3>([]<int D>() {

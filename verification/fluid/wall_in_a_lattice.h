@@ -68,6 +68,15 @@ template <int Dim> struct WallInALattice {
         return worst / size;
     }
 
+    /// The difference in Q between a lattice that is fluid throughout, under the pass `inside`, and one with a
+    /// wall, where `of_ghosts` is added, or is forgotten.
+    template <class Q, class Inside, class OfGhosts>
+    static double difference_at_wall(bool with_ghosts, Inside inside, OfGhosts of_ghosts) {
+        const auto everything = evaluate(false, inside);
+        if (!with_ghosts) return difference<Q>(everything, evaluate(true, inside));
+        return difference<Q>(everything, evaluate(true, inside, of_ghosts));
+    }
+
 private:
     static double norm(double x) { return std::abs(x); }
     static double norm(const pl::Vec<Dim>& x) { return x.norm(); }
