@@ -15,7 +15,8 @@ template <int Dim> struct Gravity {
 
     void run(double, Accelerations<Dim>& a) const {
         parallel_for_parts(a.size(), [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) a[i] += g;
+            const Vec<Dim> all = g;  // a copy, which what is written cannot change
+            for (std::size_t i = first; i < last; ++i) a[i] += all;
         });
     }
 };

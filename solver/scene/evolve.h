@@ -42,7 +42,8 @@ template <class Q> struct Before : Each<typename Q::value_type, typename Q::set>
 template <class Q, class Start, class R>
 void advance(Q& q, const Start& start, double dt, const R& rate) {
     parallel_for_parts(q.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) q[i] = start[i] + dt * rate[i];
+        const double step = dt;  // a copy, which what is written cannot change
+        for (std::size_t i = first; i < last; ++i) q[i] = start[i] + step * rate[i];
     });
 }
 
