@@ -17,8 +17,7 @@ struct ProjectionLimits {
 };
 
 /// What the last solve did, and all of them together. `error` is that of the velocities as they were
-/// left, also where the iterations did not suffice: the mean of max(0, r), and of |r| where a pressure
-/// acts. To count too much compression alone would end a solve that has flung a few particles away.
+/// left, also where the iterations did not suffice.
 struct ProjectionReport {
     int iterations = 0;
     double error = 0.0;
@@ -46,7 +45,7 @@ template <class Real, int Dim> struct ProjectionMemory {
 /// Linear and angular momentum change by what ghosts give alone. After Bender and Koschier 2017, whose
 /// iteration lets pressures only grow; this one also takes back what was too much.
 /// source(i) is in kg/(m^dim s), −infinity for a particle that takes no part. `scale` turns the mean of
-/// r into the error. v is changed; P holds the first guess, and then what was found.
+/// max(0, r) into the error. v is changed; P holds the first guess, and then what was found.
 template <class Real, int Dim, class Source>
 void project(const PairGradients<Real, Dim>& pairs, const ProjectionLimits& limits, double scale,
              Source source, std::vector<Vec<Dim>>& v, std::vector<double>& P,
@@ -84,7 +83,7 @@ void project(const PairGradients<Real, Dim>& pairs, const ProjectionLimits& limi
         });
         parallel_for(n, [&](std::size_t i) {
             const double r = source(i) + rate_of_density(static_cast<Index>(i));
-            memory.excess[i] = P[i] > 0.0 ? std::abs(r) : r < 0.0 ? 0.0 : r;  // NaN is kept
+            memory.excess[i] = r < 0.0 ? 0.0 : r;  // NaN is kept
             memory.next[i] = std::max(0.0, P[i] + limits.relaxation * pairs.factors[i] * r);
         });
         double error = 0.0;

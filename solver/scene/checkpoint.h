@@ -9,12 +9,9 @@
 namespace plumbline {
 
 namespace detail {
-/// What each step finds anew from the positions.
-template <class Q>
-concept FoundAnew = requires(const Q q) {
-    q.lists;
-};
-/// One number or several that lie in the object itself, as TimeStepLimits.
+/// What each step finds anew from the positions, as lists of neighbours; to be specialised for others.
+template <class Q> inline constexpr bool found_anew = requires(const Q q) { q.lists; };
+/// One number or several that lie in the object itself, without padding, as TimeStepLimits.
 template <class Q>
 concept PlainValue = std::is_trivially_copyable_v<Q>;
 
@@ -39,7 +36,7 @@ template <class... Passes> void save_state(const Scene<Passes...>& scene, std::s
             const std::size_t n = q.size();
             detail::append_bytes(bytes, &n, 1);
             detail::append_bytes(bytes, q.data(), n);
-        } else if constexpr (!detail::FoundAnew<Q>) {
+        } else if constexpr (!detail::found_anew<Q>) {
             static_assert(detail::PlainValue<Q>, "does a checkpoint need this quantity?");
             detail::append_bytes(bytes, &q, 1);
         }
@@ -61,7 +58,7 @@ template <class... Passes> void load_state(Scene<Passes...>& scene, std::string_
                                    ", found " + std::to_string(n));
             q.resize(n);
             detail::take_bytes(bytes, q.data(), n * sizeof(typename Q::value_type));
-        } else if constexpr (!detail::FoundAnew<Q>) {
+        } else if constexpr (!detail::found_anew<Q>) {
             detail::take_bytes(bytes, &q, sizeof q);
         }
     };

@@ -86,6 +86,8 @@ std::unique_ptr<Simulation> composed(const SceneFile& file, Make make) {
 /// By `SceneFile::method`, each in a file of its own.
 std::unique_ptr<Simulation> make_sph_2d(const SceneFile& file);
 std::unique_ptr<Simulation> make_sph_3d(const SceneFile& file);
+std::unique_ptr<Simulation> make_dfsph_2d(const SceneFile& file);
+std::unique_ptr<Simulation> make_dfsph_3d(const SceneFile& file);
 std::unique_ptr<Simulation> make_delta_sph_2d(const SceneFile& file);
 std::unique_ptr<Simulation> make_delta_sph_3d(const SceneFile& file);
 

@@ -38,6 +38,7 @@ template <int Dim> std::unique_ptr<Simulation> make_delta_sph(const SceneFile& f
                 named("pressure force of walls", terms.at_walls(GhostPressureForce<W>{w})),
                 named("viscosity", terms.viscosity()),
                 named("viscosity of walls", terms.wall_viscosity()),
+                named("cohesion", terms.cohesion()),
                 named("gravity", Gravity<Dim>{terms.gravity()})},
             named("time step", Inspect<Positions<Dim>, Velocities<Dim>, Density>{}),
             named("constraints", terms.constraints()),

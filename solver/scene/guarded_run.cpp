@@ -50,6 +50,8 @@ NextStep next_step(const SceneFile& scene, const TimeStepLimits& limits, double 
         throw SimulationFailed(text.str());
     }
     const double rest = event - time;
+    const bool halved = !scene.step && rest < 2.0 * wanted && rest > wanted * (1.0 + 1e-9);
+    if (halved) return {0.5 * rest, "output", time + 0.5 * rest};
     if (rest > wanted * (1.0 + 1e-9)) return {wanted, why, time + wanted};
     if (rest >= wanted * (1.0 - 1e-9)) return {wanted, why, event};
     return {rest, "output", event};

@@ -26,7 +26,8 @@ struct NextStep {
     std::string_view why;
     double end;  // the time after it [s]
 };
-/// From `time` towards `event`, which is reached exactly; steps differ by less than 1e-9 of their
+/// From `time` towards `event`, which is reached exactly, with two halves where one step is not enough: a short last
+/// one would shake an incompressible fluid, whose pressures are errors over Δt²; steps differ by less than 1e-9 of their
 /// length from what decides them, so that no crumb is left over.
 /// Throws SimulationFailed where the limits vanish or are not numbers.
 NextStep next_step(const SceneFile& scene, const TimeStepLimits& limits, double time, double event);

@@ -60,7 +60,7 @@ Scalars scalars_of(const SceneFile& scene, const Snapshot& s) {
         mass += m;
         all.kinetic += 0.5 * m * v.squaredNorm();
         all.potential -= m * scene.gravity.dot(x);
-        all.internal += m * tait.energy(s.rho[i]);
+        if (scene.method != Method::dfsph) all.internal += m * tait.energy(s.rho[i]);
         all.momentum += m * v;
         all.angular_momentum += m * cross(x, v);
         all.centre += m * x;

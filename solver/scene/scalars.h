@@ -8,7 +8,7 @@ namespace plumbline {
 struct Scalars {
     double kinetic = 0.0;                      // Σ m v²/2 [J]
     double potential = 0.0;                    // −Σ m g·x [J]
-    double internal = 0.0;                     // Σ m e(ρ) of the Tait equation [J]
+    double internal = 0.0;                     // Σ m e(ρ) of the Tait equation, 0 without one [J]
     Vec<3> momentum = Vec<3>::Zero();          // [kg m/s]
     Vec<3> angular_momentum = Vec<3>::Zero();  // about the origin [kg m²/s]
     Vec<3> centre = Vec<3>::Zero();            // of mass [m]

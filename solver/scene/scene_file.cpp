@@ -38,7 +38,8 @@ void read_particles(Section s, SceneFile& scene) {
     // Fewer than 1.6 spacings leave a particle without enough neighbours; more than 6 only smooth.
     constexpr Range of_support{[](double h) { return h >= 1.6 && h <= 6.0; },
                                "a number from 1.6 to 6"};
-    scene.support = s.number("support", of_support, 3.0) * scene.spacing;
+    scene.support =
+        s.number("support", of_support, scene.method == Method::dfsph ? 2.0 : 3.0) * scene.spacing;
     s.refuse_unknown_keys();
 }
 
@@ -73,6 +74,10 @@ void read_fluid(Section s, SceneFile& scene) {
     constexpr Range of_exponent{[](double g) { return g >= 1.0 && g <= 20.0; },
                                 "a number from 1 to 20"};
     scene.density = s.number("density", positive);
+    // An incompressible fluid has no sound; the artificial viscosity alone is written with one.
+    const bool sound = scene.method != Method::dfsph;
+    for (const char* key : {"exponent", "tension", "pressure_force"})
+        only_with(s, key, sound, "a method with sound, \"sph\" or \"delta_sph\"");
     scene.speed_of_sound = s.number("speed_of_sound", positive);
     scene.exponent = s.number("exponent", of_exponent, 7.0);
     scene.tension = s.number("tension", fraction, scene.method == Method::sph ? 0.0 : 1.0);
@@ -83,6 +88,7 @@ void read_fluid(Section s, SceneFile& scene) {
         "pressure_force", {{"symmetric", symmetric}, {"averaged", averaged}, {"plain", plain}},
         true);
     read_viscosity(s, scene);
+    scene.cohesion = s.number("cohesion", not_negative, 0.0);
     read_xsph(s, scene);
     s.refuse_unknown_keys();
 }
@@ -217,8 +223,9 @@ SceneFile read_scene(Section file) {
     SceneFile scene;
     scene.title = file.text("title");
     scene.dim = file.whole_number("dim", 2, 3);
-    scene.method =
-        file.choice<Method>("method", {{"sph", Method::sph}, {"delta_sph", Method::delta_sph}});
+    scene.method = file.choice<Method>(
+        "method",
+        {{"sph", Method::sph}, {"delta_sph", Method::delta_sph}, {"dfsph", Method::dfsph}});
     scene.gravity = file.vector("gravity", scene.dim, Vec<3>::Zero());
     read_particles(required(file, "particles"), scene);
     read_fluid(required(file, "fluid"), scene);

@@ -12,8 +12,9 @@ namespace plumbline {
 
 /// Which composition of passes advances the fluid.
 enum class Method {
-    sph,       // adams2009 Algorithm 5: densities are sums (Eq. 5); symplectic Euler
-    delta_sph  // densities follow continuity, smoothed by diffusion; two stages per step
+    sph,        // adams2009 Algorithm 5: densities are sums (Eq. 5); symplectic Euler
+    delta_sph,  // densities follow continuity, smoothed by diffusion; two stages per step
+    dfsph       // incompressible: pressures are solved for, Bender and Koschier 2017
 };
 enum class PressureForm { symmetric, averaged, plain };  // adams2009 Eqs. 51, below 50, 50
 enum class ViscosityForm { none, artificial, brookshaw, monaghan };
@@ -79,8 +80,9 @@ struct SceneFile {
     double diffusion = 0.1;       // δ of the density
     PressureForm pressure_force = PressureForm::symmetric;
     ViscosityForm viscosity = ViscosityForm::none;
-    double alpha = 0.0;  // of the artificial viscosity
-    double mu = 0.0;     // dynamic viscosity [Pa s]
+    double alpha = 0.0;     // of the artificial viscosity
+    double mu = 0.0;        // dynamic viscosity [Pa s]
+    double cohesion = 0.0;  // γ of Cohesion [m^(dim + 1)/(kg s²)]
     XsphForm xsph_form = XsphForm::velocities;
     double xsph = 0.0;       // ξ per reference step
     double xsph_step = 0.0;  // the reference step [s]

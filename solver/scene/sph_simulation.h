@@ -42,6 +42,7 @@ template <int Dim> std::unique_ptr<Simulation> make_sph(const SceneFile& file) {
             named("XSPH",
                   T::only_if(smoothed && !moved, XsphVelocities<Dim>{{file.xsph, file.xsph_step}})),
             named("XSPH", T::only_if(moved, XsphMotion<Dim>{file.xsph})),
+            named("cohesion", terms.cohesion()),
             named("gravity", Gravity<Dim>{terms.gravity()}),
             terms.acoustic_limit(),
             terms.viscous_limit(),

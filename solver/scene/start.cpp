@@ -1,5 +1,6 @@
 #include "solver/scene/start.h"
 
+#include "solver/kernels/cubic_spline.h"
 #include "solver/particles/hexagonal.h"
 #include "solver/particles/jittered.h"
 #include "solver/particles/lattice.h"
@@ -37,10 +38,22 @@ double hydrostatic_pressure(const SceneFile& scene, const FluidBlock& block, con
     return scene.density * (highest + g.dot(x));
 }
 
+/// The mass of a cell of the lattice over ρ₀: its volume, or for an incompressible fluid what gives a lattice the
+/// density ρ₀, since a solver would take any more for compression.
+template <int Dim> double mass_of_cell(const SceneFile& scene) {
+    const double d = scene.spacing;
+    if (scene.method != Method::dfsph) return std::pow(d, Dim);
+    const CubicSpline<Dim> w(scene.support);
+    const auto reach = Vec<Dim>::Constant((std::ceil(scene.support / d) + 0.5) * d);
+    double sum = 0.0;
+    for (const Vec<Dim>& x : lattice<Dim>({-reach, reach}, d)) sum += w.value(x.norm());
+    return 1.0 / sum;
+}
+
 template <int Dim> void add(const SceneFile& scene, const FluidBlock& block, Start<Dim>& start) {
     const double d = scene.spacing;
     const double cell =
-        (block.sampling == Sampling::hexagonal ? std::sqrt(0.75) : 1.0) * std::pow(d, Dim);
+        (block.sampling == Sampling::hexagonal ? std::sqrt(0.75) : 1.0) * mass_of_cell<Dim>(scene);
     const TaitEquation tait = tait_of(scene);
     Points<Dim> points;
     try {
@@ -147,7 +160,7 @@ template <int Dim> Start<Dim> start_of(const SceneFile& scene) {
             add_tank<Dim>(scene, wall, start);
         start.ghost_velocities.resize(start.ghosts.size(), flat<Dim>(wall.velocity));
     }
-    start.ghost_masses.assign(start.ghosts.size(), scene.density * std::pow(scene.spacing, Dim));
+    start.ghost_masses.assign(start.ghosts.size(), scene.density * mass_of_cell<Dim>(scene));
     require_apart<Dim>(scene, start);
     return start;
 }

@@ -19,7 +19,8 @@ template <int Dim> struct Start {
 };
 
 /// Each particle has the mass ρ d^Dim (on a hexagonal lattice √3/2 of that), d the spacing, with ρ = ρ₀ or, in a
-/// hydrostatic block, ρ(p) at its depth. Ghosts have ρ₀ d^Dim, in layers of a lattice that goes on where a
+/// hydrostatic block, ρ(p) at its depth; for Method::dfsph that with which a lattice has the density ρ₀ to the last
+/// bit. Ghosts have ρ₀ d^Dim, in layers of a lattice that goes on where a
 /// lattice of fluid inside would end.
 /// Throws InvalidInput as make_simulation does.
 template <int Dim> Start<Dim> start_of(const SceneFile& scene);

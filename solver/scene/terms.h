@@ -3,6 +3,7 @@
 #include "solver/fluid/artificial_viscosity.h"
 #include "solver/fluid/averaged_pressure_force.h"
 #include "solver/fluid/brookshaw_viscosity.h"
+#include "solver/fluid/cohesion.h"
 #include "solver/fluid/ghost_pressure_force.h"
 #include "solver/fluid/ghost_viscosity.h"
 #include "solver/fluid/monaghan_viscosity.h"
@@ -18,9 +19,9 @@
 namespace plumbline {
 
 /// The terms of a scene file that compositions share, as it chooses them.
-template <int Dim> class Terms {
+template <int Dim, class K = WendlandC2<Dim>> class Terms {
 public:
-    using W = WendlandC2<Dim>;
+    using W = K;
     template <class Pass> using Maybe = OneOf<Skip, Pass>;
 
     explicit Terms(const SceneFile& file) : file_{file}, w_{file.support} {}
@@ -73,6 +74,10 @@ public:
             }
         }
         return {walls};
+    }
+    Maybe<Cohesion<Dim>> cohesion() const {
+        return only_if(file_.cohesion > 0.0,
+                       Cohesion<Dim>{w_.support(), file_.density, file_.cohesion});
     }
     Vec<Dim> gravity() const { return file_.gravity.head<Dim>(); }
 

@@ -11,6 +11,7 @@ set(solver_files_without_claims
     "particles/quantities.h: names for arrays"
     "scene/composed.h: a scene behind simulation.h, which checkpoint.cpp and guarded_run_test.cpp step"
     "scene/delta_sph_simulation.h: a list of passes, stepped by checkpoint.cpp"
+    "scene/dfsph_simulation.h: a list of passes, stepped by checkpoint.cpp"
     "scene/grid_passes.h: passes of find_neighbours.h, compiled once"
     "scene/simulation.h: an interface"
     "scene/sph_simulation.h: a list of passes, stepped by checkpoint.cpp"

@@ -99,6 +99,8 @@ TEST_CASE("steps reach an event exactly, and leave no crumb") {
     CHECK(next_step(file, limits, 0.9, 1.0).end == 1.0);
     CHECK(next_step(file, limits, 0.7 + 1e-13, 1.0).dt == 0.3);
     CHECK(next_step(file, limits, 0.7 - 1e-13, 1.0).end == 1.0);
+    CHECK(next_step(file, limits, 0.5, 1.0).dt == 0.25);
+    CHECK(next_step(file, limits, 0.5, 1.0).why == "output");
     file.largest_step = 0.1;
     CHECK(next_step(file, limits, 0.0, 1.0).why == "largest");
     file.largest_step.reset();

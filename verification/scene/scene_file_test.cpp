@@ -32,6 +32,7 @@ TEST_CASE("a scene file says what is simulated") {
     CHECK(scene.gravity == Vec<3>(0, -9.81, 0));
     CHECK(scene.support == Approx(0.052));
     CHECK(scene.viscosity == ViscosityForm::artificial);
+    CHECK(scene.cohesion == 0.0);
     REQUIRE(scene.blocks.size() == 1);
     CHECK(scene.blocks[0].high == Vec<3>(0.6, 0.3, 0));
     REQUIRE(scene.walls.size() == 1);

@@ -10,8 +10,10 @@ inline std::string dam_break_scene(int dim, const std::string& method, double en
     return "title = \"dam break\"\ndim = " + std::to_string(dim) + "\nmethod = \"" + method +
            "\"\ngravity = " + (plane ? "[0, -9.81]" : "[0, 0, -9.81]") +
            "\n[particles]\nspacing = " + (plane ? "0.02" : "0.05") +
-           "\nsupport = 2.6\n[fluid]\ndensity = 1000\nspeed_of_sound = 30\n"
-           "viscosity = \"artificial\"\nalpha = 0.1\ntension = 0\n" +
+           "\nsupport = " + (method == "dfsph" ? "2.0" : "2.6") +
+           "\n[fluid]\ndensity = 1000\nspeed_of_sound = 30\n"
+           "viscosity = \"artificial\"\nalpha = 0.1\n" +
+           (method == "dfsph" ? "" : "tension = 0\n") +
            (method == "sph" ? "xsph = 0.05\nxsph_step = 0.001\n" : "") +
            "[[block]]\nshape = \"box\"\nlow = " + (plane ? "[0, 0]" : "[0, 0, 0]") +
            "\nhigh = " + (plane ? "[0.6, 0.3]" : "[0.6, 0.3, 0.3]") +
