@@ -3,7 +3,6 @@
 // and about 67,000 of the walls in one layer, which are counted and computed like the others. Wendland C2, support
 // 2.6 spacings, c0 = 20 sqrt(g H), artificial viscosity 0.1, density diffusion 0.1, gamma 7,
 // dt = 0.2 min(sqrt(h/a), h/(c + v)), one evaluation of the forces per step (leapfrog).
-// The column CPU is of all threads together.
 
 #include "benchmarks/framework/memory.h"
 #include "benchmarks/framework/timing.h"
@@ -84,18 +83,7 @@ BENCHMARK(incompressible)
     ->Arg(2)
     ->Iterations(1)
     ->Unit(benchmark::kSecond)
-    ->MeasureProcessCPUTime()
     ->UseRealTime();
-BENCHMARK_TEMPLATE(measure, float)
-    ->Name("dam_break/single")
-    ->Arg(1)
-    ->Arg(2)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-BENCHMARK_TEMPLATE(measure, double)
-    ->Name("dam_break/double")
-    ->Arg(1)
-    ->Arg(2)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
+BENCHMARK_TEMPLATE(measure, float)->Name("dam_break/single")->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_TEMPLATE(measure, double)->Name("dam_break/double")->Arg(1)->Arg(2)->UseRealTime();
 }  // namespace

@@ -1,4 +1,5 @@
 #include "reports/commands/command.h"
+#include "reports/files.h"
 #include "reports/json.h"
 #include "reports/scenes.h"
 #include "solver/kernels/all_kernels.h"
@@ -66,8 +67,10 @@ Json samplings() {
 
 Json scenes() {
     Json all = Json::array();
-    for (const ExampleScene& s : example_scenes())
+    for (const ExampleScene& s : example_scenes()) {
         all.push_back(row(s.name, "reports/scenes", s.title));
+        all.back()["text"] = read_file(s.file);
+    }
     return all;
 }
 

@@ -40,6 +40,9 @@ const RegisterCommand command{
                                          "go on with the run that is in the folder");
          app.add_flag("--overwrite", options->run.overwrite, "delete a run that is in the folder")
              ->excludes(go_on);
+         app.add_option("--json", options->run.json,
+                        "write the manifest to this file, too, - for stdout")
+             ->check(output_file());
          return [options] { return run(*options); };
      }}};
 }  // namespace

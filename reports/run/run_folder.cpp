@@ -141,9 +141,9 @@ void RunFolder::write_last_good(const Snapshot& particles) const {
     write_file(folder_ / "last_good.vtp", vtp_of(particles_of(particles)));
 }
 
-void RunFolder::write_manifest(const RunRecord& record, const std::string& status,
+Json RunFolder::write_manifest(const RunRecord& record, const std::string& status,
                                const Snapshot& particles) const {
-    const Json manifest{
+    Json manifest{
         {"schema", "plumbline.run/1"},
         {"provenance", json_of(provenance())},
         {"scene", {{"file", scene_.name}, {"title", scene_.title}, {"text", scene_.text}}},
@@ -159,6 +159,7 @@ void RunFolder::write_manifest(const RunRecord& record, const std::string& statu
         {"frames", record.frames},
         {"computing_s", record.seconds}};
     write_file(folder_ / "manifest.json", manifest.dump(1) + "\n");
+    return manifest;
 }
 
 void RunFolder::make_film() const {

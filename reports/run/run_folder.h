@@ -45,7 +45,7 @@ public:
     void write_checkpoint(const RunRecord& record, std::string state) const;
     /// Not of the series: the state before a step that failed.
     void write_last_good(const plumbline::Snapshot& particles) const;
-    void write_manifest(const RunRecord& record, const std::string& status,
+    Json write_manifest(const RunRecord& record, const std::string& status,
                         const plumbline::Snapshot& particles) const;
     /// film.mp4 of all pictures, if there is ffmpeg.
     void make_film() const;

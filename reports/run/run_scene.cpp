@@ -47,7 +47,8 @@ public:
           folder_{options.folder, scene},
           simulation_{plumbline::make_simulation(scene)},
           guarded_{*simulation_, domain_of(scene, simulation_->snapshot())},
-          most_steps_{options.steps} {
+          most_steps_{options.steps},
+          json_{options.json} {
         if (options.overwrite) folder_.clear();
         if (options.go_on) {
             simulation_->load(folder_.resume(record_));
@@ -66,7 +67,8 @@ public:
     void run() {
         try {
             const std::string status = advance();
-            folder_.write_manifest(record_, status, simulation_->snapshot());
+            const Json manifest = folder_.write_manifest(record_, status, simulation_->snapshot());
+            if (!json_.empty()) write_json(manifest, json_);
             if (status == "finished") folder_.make_film();
             fmt::print(stderr, "plumbline: {} at t = {:.6g} s after {} steps, in {}\n", status,
                        record_.time, record_.steps, folder_.path().string());
@@ -150,6 +152,7 @@ private:
     GuardedRun guarded_;
     RunRecord record_;
     std::size_t most_steps_;
+    std::string json_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@ struct RunOptions {
     std::size_t steps = 0;   // stop after so many; 0: at the end
     bool go_on = false;      // with the run that is in the folder
     bool overwrite = false;  // a run that is in the folder
+    std::string json = {};   // where the manifest is written to once more, - for stdout
 };
 
 /// Simulates the scene into a RunFolder. What stops the run, Ctrl-C, a full disk, a particle that leaves the domain,

@@ -93,21 +93,6 @@ template <int Dim> double error_of_divergence(Fault fault) {
         heap, solved<Dim, ZeroDivergence>(heap, fault),
         [](double rho, double rate) { return rho < 0.75 * rho0 ? 0.0 : dt * rate / rho0; });
 }
-/// Σ |ρ + Δt dρ/dt − ρ₀| / (n ρ₀) over the particles that have a pressure, after so many iterations.
-template <int Dim> double expansion_under_pressure(int iterations) {
-    Heap<Dim> heap;
-    auto scene = heap.scene(
-        true, CollectGradients<W<Dim>>{W<Dim>(h)}, SpoilFactors<Dim>{1.0},
-        ConstantDensity<Dim, double>{rho0, {.tolerance = tolerance, .most = iterations}});
-    scene.step(dt);
-    const auto& p = scene.template get<Pressure>();
-    std::size_t i = 0;
-    return mean_error<Dim>(heap, scene.template get<Velocities<Dim>>(),
-                           [&](double rho, double rate) {
-                               const double error = (rho + dt * rate) / rho0 - 1.0;
-                               return p[i++] > 0.0 ? std::abs(error) : 0.0;
-                           });
-}
 /// ‖Σ mᵢ Δvᵢ‖ / Σ mᵢ ‖Δvᵢ‖ and ‖Σ xᵢ × mᵢ Δvᵢ‖ / Σ …, the larger, of a free drop; with masses of 1 if they are left out.
 template <int Dim> double change_of_momentum(bool with_masses) {
     const Heap<Dim> heap;
@@ -148,16 +133,6 @@ const Register divergence{in_dimensions<2, 3>([]<int D>() {
                  .bound = at_most(1.001 * tolerance, its_own_tolerance),
                  .measure = [] { return error_of_divergence<D>(Fault::none); },
                  .sabotaged = [] { return error_of_divergence<D>(Fault::factors); }};
-})};
-const Register complementary{in_dimensions<2, 3>([]<int D>() {
-    return Claim{.id = "dfsph.pressure_only_where_needed",
-                 .source = {Paper::plumbline, "docstring of project"},
-                 .says =
-                     "mean of |ρ + Δt dρ/dt − ρ₀|/ρ₀ where there is a pressure: what is pushed is "
-                     "not pushed too far; after 5 iterations, some is",
-                 .bound = at_most(1.001 * tolerance, its_own_tolerance),
-                 .measure = [] { return expansion_under_pressure<D>(2000); },
-                 .sabotaged = [] { return expansion_under_pressure<D>(5); }};
 })};
 const Register momentum{in_dimensions<2, 3>([]<int D>() {
     return Claim{.id = "dfsph.conserves_momentum",
