@@ -19,8 +19,8 @@ template <int Dim> struct Watch {
         std::size_t particle;
     };
     std::optional<Fault> first_fault = {};  // the first number that is not finite
-    std::string_view strongest_term = {};  // that changed the acceleration of the particle most ...
-    double strongest = 0.0;                // ... by this much [m/s²]
+    std::string_view strongest_term = {};   // that accelerated the particle most ...
+    double strongest = 0.0;                 // ... by this much [m/s²]
 };
 
 /// A pass with the name of its physical term, under a watch that outlives the scene.
@@ -33,19 +33,23 @@ template <int Dim, class Pass> struct Watched {
 
     template <class... Arrays> void run(double dt, Arrays&... arrays) const {
         if (!watch->armed) return pass.run(dt, arrays...);
-        const Vec<Dim> before = (Vec<Dim>::Zero() + ... + acceleration(arrays));
+        const Vec<Dim> before = (Vec<Dim>::Zero() + ... + push(dt, arrays));
         pass.run(dt, arrays...);
-        const Vec<Dim> after = (Vec<Dim>::Zero() + ... + acceleration(arrays));
+        const Vec<Dim> after = (Vec<Dim>::Zero() + ... + push(dt, arrays));
         if (const double change = (after - before).norm(); change > watch->strongest)
             watch->strongest = change, watch->strongest_term = term;
         (look(arrays), ...);
     }
 
 private:
-    /// Of the particle, if that is what the array holds and the pass may write it; 0 otherwise.
-    template <class A> Vec<Dim> acceleration(A& array) const {
-        if constexpr (std::is_same_v<A, Accelerations<Dim>>)
+    /// a or v/Δt of the particle, if that is what the array holds and the pass may write it; 0 otherwise. Their sum
+    /// changes by what a pass does to the particle, and not where a step turns a into v.
+    template <class A> Vec<Dim> push(double dt, A& array) const {
+        if constexpr (std::is_same_v<A, Accelerations<Dim>>) {
             if (watch->particle < array.size()) return array[watch->particle];
+        } else if constexpr (std::is_same_v<A, Velocities<Dim>>) {
+            if (watch->particle < array.size() && dt > 0.0) return array[watch->particle] / dt;
+        }
         return Vec<Dim>::Zero();
     }
     template <class A> void look(A& array) const {
