@@ -152,6 +152,36 @@ const Register lattice_errors{
         .sabotaged = [] { return lattice_error(one_support); },
         .erratum = 47}};
 
+/// |∂f/∂x_axis − 1| of f = x_axis by Eq. 13 on the flat surface of a square lattice, whose normal is the
+/// last axis; 2.5 spacings per support, volumes m/ρ.
+double surface_error_along(int axis) {
+    Patch<2> patch(cubic_lattice<2>(1.0), {.support = 2.5, .free_faces = 1});
+    const Poly6<2> w(2.5);
+    const std::vector<double> m(patch.x.size(), 1.0);
+    patch.V = volumes<Poly6<2>>(w, patch.x, m, patch.neighbours);
+    const auto f = patch.sample([axis](const Vec<2>& p) { return p[axis]; });
+    return std::abs(gradient_difference(w, patch.samples(), f, patch.centre)[axis] - 1.0);
+}
+const Register surface_errors{
+    Erratum{50,
+            {Paper::plumbline, "catalogue of formulas, Eq. 13"},
+            "Eq. 13 errs by 17 to 19 % for linear fields at a surface",
+            "by half of the derivative across it; by 8 to 21 % along it"},
+    Claim{.id = "sph_gradient.loses_half_across_a_surface",
+          .source = {Paper::adams2009, "Eq. 13; Sec. 2.2"},
+          .says =
+              "at a flat surface the slope of a linear field across it is off by half, far more "
+              "than along it",
+          .bound = at_least(
+              0.48,
+              "the surface's own row adds nothing, the next one has V < 1 / (1 − 0.013), for it "
+              "lacks "
+              "only the row at 2 spacings, Σ (1 − q²)³ = 0.063 of 4.9; ½ · 1.013 · 1.003 at most, "
+              "1.003 being the slope in the bulk"),
+          .measure = [] { return surface_error_along(1); },
+          .sabotaged = [] { return surface_error_along(0); },
+          .erratum = 50}};
+
 template <int Dim, class Form> double change_of_gradient(Form form, bool turn) {
     return change_under_similarity<Dim>(2.5, 1, [=](const auto& d, Index i) {
         const Vec<Dim> g = form(d, d.f, i);

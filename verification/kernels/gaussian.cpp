@@ -73,7 +73,7 @@ const Register claims_of_gaussian{
                   const auto untruncated = [=](double r) {
                       return sigma * std::exp(-r * r / scale / scale);
                   };
-                  return std::abs(integrate_radially<3>(0.7, untruncated) - 1.0);
+                  return std::abs(integrate_radially(3, 0.7, untruncated) - 1.0);
               }},
 };
 }  // namespace

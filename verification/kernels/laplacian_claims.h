@@ -21,7 +21,7 @@ double integral_of_laplacian(const W2& w2, const W3& w3, Laplacian laplacian) {
     const auto integral = [&](const auto& w) {
         constexpr int dim = std::decay_t<decltype(w)>::dim;
         const double h = w.support();
-        return std::abs(integrate_radially<dim>(h, [&](double r) { return laplacian(w, r); })) * h *
+        return std::abs(integrate_radially(dim, h, [&](double r) { return laplacian(w, r); })) * h *
                h;
     };
     return std::max(integral(w2), integral(w3));
@@ -33,7 +33,7 @@ double error_of_square(const W2& w2, const W3& w3, Laplacian laplacian) {
     const auto error = [&](const auto& w) {
         constexpr int dim = std::decay_t<decltype(w)>::dim;
         const auto integrand = [&](double r) { return laplacian(w, r) * r * r / (2 * dim); };
-        return std::abs(integrate_radially<dim>(w.support(), integrand) - 1.0);
+        return std::abs(integrate_radially(dim, w.support(), integrand) - 1.0);
     };
     return std::max(error(w2), error(w3));
 }

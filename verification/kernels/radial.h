@@ -9,10 +9,10 @@
 
 namespace verification {
 
-/// Surface of the sphere of radius r in Dim dimensions; in 1D the two ends of the interval.
-template <int Dim> double sphere(double r) {
+/// Surface of the sphere of radius r in `dim` dimensions; in 1D the two ends of the interval.
+inline double sphere(int dim, double r) {
     constexpr double pi = std::numbers::pi;
-    return Dim == 1 ? 2.0 : Dim == 2 ? 2 * pi * r : 4 * pi * r * r;
+    return dim == 1 ? 2.0 : dim == 2 ? 2 * pi * r : 4 * pi * r * r;
 }
 
 /// Where a printed formula changes its branch, as fractions of h; kernels of one branch have none.
@@ -24,27 +24,17 @@ template <class F> std::vector<double> knots() {
 }
 
 /// ∫ g(‖x‖) dV over the ball of radius h; `knots` as fractions of h.
-template <int Dim>
-double integrate_radially(double h, const std::function<double(double)>& g,
-                          std::vector<double> knots = {}) {
+inline double integrate_radially(int dim, double h, const std::function<double(double)>& g,
+                                 std::vector<double> knots = {}) {
     for (double& knot : knots) knot *= h;
-    return integrate([&](double r) { return g(r) * sphere<Dim>(r); }, 0.0, h, std::move(knots));
+    return integrate([&](double r) { return g(r) * sphere(dim, r); }, 0.0, h, std::move(knots));
 }
 
 /// ∫ ω(‖x‖) ‖x‖ᵖ dV.
 template <plumbline::RadialKernel K>
 double moment(const K& w, int p, std::vector<double> knots = {}) {
     const auto integrand = [&](double r) { return w.value(r) * std::pow(r, p); };
-    return integrate_radially<K::dim>(w.support(), integrand, std::move(knots));
-}
-
-/// Trace of ∫ x ∇ωᵀ dV over all space: where ω jumps at the rim, ∇ω has a surface part there.
-template <plumbline::RadialKernel K>
-double trace_of_gradient_moment(const K& w, std::vector<double> knots = {}) {
-    const double h = w.support();
-    const auto integrand = [&](double r) { return w.derivative(r) * r; };
-    const double inside = integrate_radially<K::dim>(h, integrand, std::move(knots));
-    return inside - w.value(std::nextafter(h, 0.0)) * h * sphere<K::dim>(h);
+    return integrate_radially(K::dim, w.support(), integrand, std::move(knots));
 }
 
 /// ∫ q^(Dim + 1) P dq / (Dim ∫ q^(Dim − 1) P dq) over [0, 1]: the second moment of one axis of the kernel

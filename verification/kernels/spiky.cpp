@@ -51,7 +51,7 @@ const UnderTest<Spiky<2>> w2(h);
 const UnderTest<Spiky<3>> w3(h);
 
 double integral(const std::function<double(double)>& value) {
-    return std::abs(integrate_radially<3>(h, value) - 1.0);
+    return std::abs(integrate_radially(3, h, value) - 1.0);
 }
 /// Eq. 92 as scanned, without the exponent 3.
 double equation_92_as_scanned(double r) { return 15 / (pi<double>() * h * h * h) * (1 - r / h); }

@@ -22,6 +22,7 @@ set(verification_files_without_method
     "approximation/convergence_studies.cpp: compares all methods"
     "approximation/mls_derivatives.cpp: mls_shape.h, Eqs. 30-34, which one file cannot hold"
     "approximation/mls_stability.cpp: mls_shape.h, Sec. 3.3, which one file cannot hold"
+    "kernels/kernel_claims.cpp: what every kernel has to fulfil, called by the file of each"
     "fluid/lattice_instabilities.cpp: pressure_force.h with every kernel, by theory alone"
     "fluid/stability_limits.cpp: compares forces and integrators with the theory of the lattice")
 
