@@ -2,11 +2,14 @@
 # method finds its claims, and whoever reads a claim finds its method, by the name of the file.
 cmake_minimum_required(VERSION 3.25)
 
-# "file: why nothing in it can be wrong by itself".
+# "file: why nothing in it can be wrong by itself, or which file shows that it is right".
 set(solver_files_without_claims
     "foundation/types.h: names for types"
     "foundation/errors.h: one exception type, whose messages verification/reports/bad_input_test.cpp reads"
     "approximation/samples.h: a view without code"
+    "fluid/pair_gradients.h: memory of dfsph.h, whose claims read it"
+    "fluid/pair_records.h: memory of weakly_compressible_rates.h, whose claims read it"
+    "fluid/pressure_projection.h: the solve of dfsph.h, whose claims and tests run it"
     "approximation/shape_row.h: views without code"
     "particles/quantities.h: names for arrays"
     "scene/composed.h: a scene behind simulation.h, which checkpoint.cpp and guarded_run_test.cpp step"
