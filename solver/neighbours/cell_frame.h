@@ -49,6 +49,7 @@ public:
             const double fit = std::floor(box.edge()[axis] / width);
             frame.cells_[axis] = static_cast<std::uint32_t>(std::clamp(fit, 1.0, 0x1p31));
             frame.inverse_width_[axis] = frame.cells_[axis] / box.edge()[axis];
+            frame.rounding_in_cells_[axis] = 4.0 * rounding * frame.cells_[axis];
         }
         return frame;
     }
@@ -67,11 +68,14 @@ public:
         return all;
     }
     std::uint32_t cells(int axis) const { return cells_[axis]; }
-    /// How many cells a ball reaches to either side of the cell of its centre.
+    /// How many cells a ball reaches to either side of the cell of its centre. The margin is for the
+    /// rounding of two cell numbers, and of distances: relative to the radius, which single precision
+    /// rounds by less than 2⁻²¹, and in a periodic box relative to its edge.
     std::int64_t reach(double radius) const {
         double most = 1.0;
         for (int axis = 0; axis < Dim; ++axis) {
-            const double wide = std::ceil(radius * inverse_width_[axis] + 0x1p-19);
+            const double cells = radius * (1.0 + 0x1p-20) * inverse_width_[axis];
+            const double wide = std::ceil(cells + 0x1p-19 + rounding_in_cells_[axis]);
             most = std::max(most, std::min(wide, static_cast<double>(cells_[axis])));
         }
         return static_cast<std::int64_t>(most);
@@ -108,6 +112,7 @@ private:
 
     Vec<Dim> low_ = Vec<Dim>::Zero(), high_ = Vec<Dim>::Zero();
     Vec<Dim> inverse_width_ = Vec<Dim>::Zero();
+    Vec<Dim> rounding_in_cells_ = Vec<Dim>::Zero();  // of differences in a periodic box
     std::array<std::uint32_t, Dim> cells_ = [] {
         std::array<std::uint32_t, Dim> one;
         one.fill(1);

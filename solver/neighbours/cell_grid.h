@@ -65,45 +65,18 @@ private:
     template <class Visit>
     void visit_block(std::size_t block, const Order& queries, Radii radii, Part part,
                      Visit& visit) const {
-        const std::size_t begin = block * Order::cells_per_block;
-        const std::size_t end = std::min(queries.cells(), begin + Order::cells_per_block);
         Window window(frame_, points_);
         Candidates<Dim, Real> near;
-        std::size_t row = queries.row_of(begin);
-        for (std::size_t c = begin, next; c < end; c = next) {
-            if (c == queries.first_cell(row + 1)) ++row;
-            next =
-                end_of_group(queries, c, std::min<std::size_t>(end, queries.first_cell(row + 1)));
-            const Index first = queries.first_point(c), last = queries.first_point(next);
-            window.move_to(queries.row(row), queries.column(c), queries.column(next - 1),
-                           frame_.reach(largest(queries, radii, first, last)));
+        queries.for_each_group(block, [&](const GroupOfCells& cells) {
+            const auto group = Base::group_of(queries, cells.first, cells.last, radii);
+            window.move_to(cells.row, cells.first_column, cells.last_column,
+                           frame_.reach(group.radius));
             if (part == Part::all)
                 window.gather(near);
             else
-                window.gather_from(first, near);
-            for (Index k = first; k < last; ++k) {
-                const auto r = static_cast<Real>(radii.of(queries.order(k)));
-                const std::size_t from = part == Part::all ? 0 : k - first + 1;
-                visit(k, near.near(space_, queries.position(k), r * r, from));
-            }
-        }
-    }
-    /// Cells with few points share the candidates of up to four columns of a row.
-    static std::size_t end_of_group(const Order& queries, std::size_t begin, std::size_t end) {
-        constexpr std::uint32_t most_columns = 4, enough_points = 6;
-        std::size_t next = begin + 1;
-        while (next < end && queries.column(next) - queries.column(begin) < most_columns &&
-               queries.first_point(next) - queries.first_point(begin) < enough_points)
-            ++next;
-        return next;
-    }
-
-    static double largest(const Order& queries, Radii radii, Index first, Index last) {
-        double most = radii.of(queries.order(first));
-        if (radii.vary())
-            for (Index k = first + 1; k < last; ++k)
-                most = std::max(most, radii.of(queries.order(k)));
-        return most;
+                window.gather_from(group.first, near);
+            this->visit_group(group, queries, radii, part, near, visit);
+        });
     }
 
     CellFrame<Dim> frame_;

@@ -8,6 +8,13 @@
 
 namespace plumbline {
 
+/// The points first .. last of adjacent cells of one row.
+struct GroupOfCells {
+    std::uint64_t row;
+    std::uint32_t first_column, last_column;
+    Index first, last;
+};
+
 /// Points sorted by cell: row after row, in a row by column, in a cell as given. Only cells and rows
 /// that hold points are kept. O(n): by counting if the grid has at most a few cells per point, else
 /// digit by digit.
@@ -37,6 +44,11 @@ public:
         });
     }
 
+    /// Point k, which was given as point i = order(k), is called numbers[i] from now on.
+    void rename(std::span<const Index> numbers) {
+        for (std::size_t k = 0; k < size_; ++k) order_[k] = numbers[order_[k]];
+    }
+
     /// Whether these are the points that were sorted, in the order they were given.
     bool holds(Given points) const {
         if (points.size() != size_) return false;
@@ -59,6 +71,20 @@ public:
     /// Cells are treated in parallel in blocks of so many.
     static constexpr std::size_t cells_per_block = 64;
     std::size_t blocks() const { return (cells() + cells_per_block - 1) / cells_per_block; }
+
+    /// Calls visit(group) for each cell of a block, or for a few of its cells in a row: cells with few
+    /// points share what is done for them.
+    template <class Visit> void for_each_group(std::size_t block, Visit visit) const {
+        const std::size_t begin = block * cells_per_block;
+        const std::size_t end = std::min(cells(), begin + cells_per_block);
+        std::size_t row = row_of(begin);
+        for (std::size_t c = begin, next; c < end; c = next) {
+            if (c == first_cell(row + 1)) ++row;
+            next = end_of_group(c, std::min<std::size_t>(end, first_cell(row + 1)));
+            visit(GroupOfCells{row_[row], column_[c], column_[next - 1], first_point_[c],
+                               first_point_[next]});
+        }
+    }
 
     std::size_t cells() const { return column_.size(); }
     std::uint32_t column(std::size_t cell) const { return column_[cell]; }
@@ -100,6 +126,16 @@ public:
     }
 
 private:
+    /// Cells with few points are taken together, up to four columns of a row.
+    std::size_t end_of_group(std::size_t begin, std::size_t end) const {
+        constexpr std::uint32_t most_columns = 4, enough_points = 6;
+        std::size_t next = begin + 1;
+        while (next < end && column_[next] - column_[begin] < most_columns &&
+               first_point_[next] - first_point_[begin] < enough_points)
+            ++next;
+        return next;
+    }
+
     void clear_cells() {
         column_.clear();
         first_point_.clear();

@@ -5,32 +5,55 @@
 
 namespace plumbline {
 
-/// The block of cells within `reach` of one cell, or of a few in a row, as runs of cells in the rows
-/// that the block crosses. It is moved from cell to cell; from one to the next in a row each run moves on by a few cells.
+/// Cells first to last along each axis. They may lie beyond the grid: there are none in open space, in a
+/// periodic box they are images.
+template <int Dim> struct CellBlock { std::array<std::int64_t, Dim> first, last; };
+
+/// A block of cells, as runs of cells in the rows that it crosses. It is moved from block to block; from
+/// one to the next in the same rows each run moves on by a few cells.
 template <int Dim, bool Wraps, class Real = double> class CellWindow {
     using Order = CellOrder<Dim, Real>;
 
 public:
     CellWindow(const CellFrame<Dim>& frame, const Order& points) : frame_{frame}, points_{points} {}
 
-    /// The block around the columns first_column .. last_column of a row.
+    /// The cells within `reach` of the columns first_column .. last_column of a row.
     void move_to(std::uint64_t row, std::uint32_t first_column, std::uint32_t last_column,
                  std::int64_t reach) {
-        if (row != row_ || reach != reach_) enter_rows(row, reach);
-        const std::int64_t cells = frame_.cells(0);
-        const std::int64_t first = first_column - reach, last = last_column + reach;
-        if (Wraps && last - first + 1 >= cells) return move_runs(0, cells - 1, 0, -1);
-        if (Wraps && first < 0) return move_runs(0, last, first + cells, cells - 1);
-        if (Wraps && last >= cells) return move_runs(0, last - cells, first, cells - 1);
-        move_runs(first, last, 0, -1);
+        if (row != row_ || reach != reach_) {
+            row_ = row;
+            reach_ = reach;
+            block_ = around(row, reach);
+            enter_rows();
+        }
+        move_along(first_column - reach, last_column + reach);
     }
+    void move_to(const CellBlock<Dim>& block) {
+        row_ = no_row;
+        bool same_rows = true;
+        for (int axis = 1; axis < Dim; ++axis)
+            same_rows &=
+                block.first[axis] == block_.first[axis] && block.last[axis] == block_.last[axis];
+        if (!same_rows || !entered_) {
+            block_ = block;
+            enter_rows();
+        }
+        move_along(block.first[0], block.last[0]);
+    }
+
+    bool is_empty() const { return points_in_block(0) == 0; }
 
     /// All points of the block.
     void gather(Candidates<Dim, Real>& near) const {
-        near.resize(points_in_block(0));
-        std::size_t to = 0;
-        for (const Run& run : runs_) to = copy(run.points, near, to);
+        near.resize(0);
+        append(near);
         near.close();
+    }
+    /// The same, behind those that are there; they are not closed.
+    void append(Candidates<Dim, Real>& near) const {
+        std::size_t to = near.size();
+        near.resize(to + points_in_block(0));
+        for (const Run& run : runs_) to = copy(run.points, near, to);
     }
     /// Of the points of the block those from `first` on, in the order of the cells; `first` and what
     /// follows it in its row come first.
@@ -118,31 +141,36 @@ private:
             std::copy_n(from + k, part, to + k);
     }
 
-    void enter_rows(std::uint64_t row, std::int64_t reach) {
-        row_ = row;
-        reach_ = reach;
+    CellBlock<Dim> around(std::uint64_t row, std::int64_t reach) const {
+        CellBlock<Dim> block{};
+        for (int axis = 1; axis < Dim; ++axis) {
+            const auto at = static_cast<std::int64_t>(row % frame_.cells(axis));
+            row /= frame_.cells(axis);
+            block.first[axis] = at - reach;
+            block.last[axis] = at + reach;
+        }
+        return block;
+    }
+    void enter_rows() {
+        entered_ = true;
         runs_.clear();
         hint_used_ = 0;
-        add_rows<Dim - 1>(row, 0, reach);
+        add_rows<Dim - 1>(0);
     }
 
-    /// Adds the rows near `row` along `Axis` and the axes below it; `base` numbers the axes above it.
-    template <int Axis> void add_rows(std::uint64_t row, std::uint64_t base, std::int64_t reach) {
+    /// Adds the rows of the block along `Axis` and the axes below it; `base` numbers the axes above it.
+    template <int Axis> void add_rows(std::uint64_t base) {
         if constexpr (Axis == 0) {
             add_run(base);
         } else {
-            std::uint64_t stride = 1;
-            for (int axis = 1; axis < Axis; ++axis) stride *= frame_.cells(axis);
-            const auto at = static_cast<std::int64_t>(row / stride);
+            std::int64_t first = block_.first[Axis], last = block_.last[Axis];
             const std::int64_t cells = frame_.cells(Axis);
-            std::int64_t first = at - reach, last = at + reach;
             if (!Wraps || last - first + 1 >= cells)
                 first = std::max<std::int64_t>(Wraps ? 0 : first, 0),
                 last = std::min(Wraps ? cells - 1 : last, cells - 1);
             for (std::int64_t k = first; k <= last; ++k) {
                 const std::int64_t image = (k + cells) % cells;
-                add_rows<Axis - 1>(row % stride, base + static_cast<std::uint64_t>(image) * stride,
-                                   reach);
+                add_rows<Axis - 1>(base * frame_.cells(Axis) + static_cast<std::uint64_t>(image));
             }
         }
     }
@@ -163,6 +191,13 @@ private:
         if (Wraps) runs_.push_back(run);
     }
 
+    void move_along(std::int64_t first, std::int64_t last) {
+        const std::int64_t cells = frame_.cells(0);
+        if (Wraps && last - first + 1 >= cells) return move_runs(0, cells - 1, 0, -1);
+        if (Wraps && first < 0) return move_runs(0, last, first + cells, cells - 1);
+        if (Wraps && last >= cells) return move_runs(0, last - cells, first, cells - 1);
+        move_runs(first, last, 0, -1);
+    }
     void move_runs(std::int64_t first, std::int64_t last, std::int64_t first_image,
                    std::int64_t last_image) {
         for (std::size_t k = 0; k < runs_.size(); ++k) {
@@ -178,7 +213,10 @@ private:
     std::vector<Run> runs_;
     std::vector<std::size_t> hints_;
     std::size_t hint_used_ = 0;
-    std::uint64_t row_ = ~std::uint64_t{0};
+    CellBlock<Dim> block_{};  // its rows
+    bool entered_ = false;
+    static constexpr std::uint64_t no_row = ~std::uint64_t{0};
+    std::uint64_t row_ = no_row;  // in whose middle the block lies
     std::int64_t reach_ = 0;
 };
 

@@ -24,7 +24,8 @@ enum class Part { all, later };
 /// which take about half the time.
 template <class Search, class Order, int Dim, class Space, class Real>
 class GroupedSearch : public Queries<Search, Dim, Real> {
-    using Given = std::span<const VecOf<Real, Dim>>;
+    using Point = VecOf<Real, Dim>;
+    using Given = std::span<const Point>;
 
 public:
     /// Queries that are the points themselves are not sorted again.
@@ -52,26 +53,20 @@ public:
     void pack_pairs(PackedLists& lists) const {
         pack(self().points(), Radii(radius_), Part::later, lists);
     }
-    /// How many neighbours each point has, itself included.
-    void count(std::vector<Index>& counts) const {
-        counts.resize(self().points().size());
-        search(self().points(), Radii(radius_), Part::all, [&](std::size_t) {
-            return [&](std::size_t k, const NearTest<Real>& test) {
-                counts[self().points().order(k)] = static_cast<Index>(near_.mark(test, nullptr));
-            };
-        });
+    /// How many neighbours each point has, itself included; with the radius of `build`, or one of its own.
+    void count(std::vector<Index>& counts) const { count(Radii(radius_), counts); }
+    void count(std::span<const double> radii, std::vector<Index>& counts) const {
+        this->check_radii(radii, self().points().size());
+        count(Radii(radii), counts);
     }
     /// Calls visit(i, neighbours) for each point, in parallel and in no order, without storing lists;
     /// `neighbours` is the row of PackedLists, and is gone when visit returns.
     template <class Visit> void for_each_row(Visit visit) const {
-        search(self().points(), Radii(radius_), Part::all, [&](std::size_t) {
-            return
-                [&, row = std::vector<Index>()](std::size_t k, const NearTest<Real>& test) mutable {
-                    row.resize(std::max(row.size(), test.size + candidates_per_step));
-                    const std::size_t n = near_.select(test, row.data());
-                    visit(self().points().order(k), std::span<const Index>(row.data(), n));
-                };
-        });
+        for_each_row(Radii(radius_), visit);
+    }
+    template <class Visit> void for_each_row(std::span<const double> radii, Visit visit) const {
+        this->check_radii(radii, self().points().size());
+        for_each_row(Radii(radii), visit);
     }
 
     /// How many distances pack(radii, …) computes: the work, whatever the machine.
@@ -106,6 +101,52 @@ protected:
         radius_ = radius;
     }
 
+    /// Queries that share candidates: first .. last of those sorted, and the largest of their radii.
+    struct Group {
+        Index first, last;
+        double radius;
+    };
+    template <class Sorted>
+    static Group group_of(const Sorted& queries, Index first, Index last, Radii radii) {
+        Group group{first, last, radii.of(queries.order(first))};
+        for (Index k = first + 1; k < last && radii.vary(); ++k)
+            group.radius = std::max(group.radius, radii.of(queries.order(k)));
+        return group;
+    }
+    struct Corners {
+        Point low, high;
+    };
+    template <class Sorted> static Corners box_of(const Group& group, const Sorted& queries) {
+        Corners box{queries.position(group.first), queries.position(group.first)};
+        for (Index k = group.first + 1; k < group.last; ++k) {
+            const Point x = queries.position(k);
+            box.low = box.low.cwiseMin(x);
+            box.high = box.high.cwiseMax(x);
+        }
+        return box;
+    }
+
+    /// Visits the queries of a group, which come first among the candidates if Part is `later`; `before` is
+    /// how many queries come before those sorted in `queries`. Where many share the candidates, these are
+    /// looked through first: those that are far from all of the group are dropped.
+    template <class Sorted, class Visit>
+    void visit_group(const Group& group, const Sorted& queries, Radii radii, Part part,
+                     Candidates<Dim, Real>& near, Visit& visit, Index before = 0) const {
+        constexpr Index many = 12;
+        if (group.last - group.first >= many) {
+            const Corners box = box_of(group, queries);
+            const auto radius = static_cast<Real>(group.radius);
+            near.keep_near(near_, space_, box.low, box.high, radius * radius);
+            if constexpr (sizeof(Real) == sizeof(double) && !Space::is_periodic)
+                near.round(box.low, box.high);
+        }
+        for (Index k = group.first; k < group.last; ++k) {
+            const auto r = static_cast<Real>(radii.of(queries.order(k)));
+            const std::size_t from = part == Part::all ? 0 : k - group.first + 1;
+            visit(before + k, near.near(space_, queries.position(k), r * r, from));
+        }
+    }
+
     Space space_;
 
 private:
@@ -116,6 +157,24 @@ private:
         use(self().sorted(queries));
     }
 
+    void count(Radii radii, std::vector<Index>& counts) const {
+        counts.resize(self().points().size());
+        search(self().points(), radii, Part::all, [&](std::size_t) {
+            return [&](std::size_t k, const NearTest<Real>& test) {
+                counts[self().points().order(k)] = static_cast<Index>(near_.mark(test, nullptr));
+            };
+        });
+    }
+    template <class Visit> void for_each_row(Radii radii, Visit& visit) const {
+        search(self().points(), radii, Part::all, [&](std::size_t) {
+            return
+                [&, row = std::vector<Index>()](std::size_t k, const NearTest<Real>& test) mutable {
+                    row.resize(std::max(row.size(), test.size + candidates_per_step));
+                    const std::size_t n = near_.select(test, row.data());
+                    visit(self().points().order(k), std::span<const Index>(row.data(), n));
+                };
+        });
+    }
     void pack(const Order& queries, Radii radii, Part part, PackedLists& lists) const {
         lists.restart(queries.size());
         search(queries, radii, part, [&](std::size_t) {

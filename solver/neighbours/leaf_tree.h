@@ -57,14 +57,11 @@ private:
         std::vector<Run> runs;
         for (std::size_t l = begin; l < end; ++l) {
             const Node& leaf = queries.leaf(l);
-            find_runs(leaf, largest(queries, radii, leaf), part == Part::later ? leaf.first : 0,
+            const auto group = Base::group_of(queries, leaf.first, leaf.last, radii);
+            find_runs(leaf, static_cast<Real>(group.radius), part == Part::later ? leaf.first : 0,
                       runs);
             gather(runs, near);
-            for (Index k = leaf.first; k < leaf.last; ++k) {
-                const auto r = static_cast<Real>(radii.of(queries.order(k)));
-                const std::size_t from = part == Part::all ? 0 : k - leaf.first + 1;
-                visit(k, near.near(space_, queries.position(k), r * r, from));
-            }
+            this->visit_group(group, queries, radii, part, near, visit);
         }
     }
 
@@ -111,14 +108,6 @@ private:
         }
         near.close();
     }
-    static Real largest(const Order& queries, Radii radii, const Node& leaf) {
-        double most = radii.of(queries.order(leaf.first));
-        if (radii.vary())
-            for (Index k = leaf.first + 1; k < leaf.last; ++k)
-                most = std::max(most, radii.of(queries.order(k)));
-        return static_cast<Real>(most);
-    }
-
     Index leaf_size_;
     Order points_;
 };

@@ -70,10 +70,30 @@ std::size_t take_plainly(const NearTest<Real>& test, const std::uint16_t* bits,
         if (bits[k / step] >> k % step & 1u) out[found++] = test.id[k];
     return found;
 }
+template <class Real, int Dim, bool Periodic> std::size_t keep_plainly(const BoxTest<Real>& test) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < test.size; ++k) {
+        Real squared = 0;
+        for (int axis = 0; axis < Dim; ++axis) {
+            const Real below = test.low[axis] - test.x[axis][k];
+            const Real above = test.x[axis][k] - test.high[axis];
+            Real gap = std::max({below, above, Real(0)});
+            if (Periodic)
+                gap = std::min(gap, std::max(test.edge[axis] + std::min(below, above), Real(0)));
+            squared += gap * gap;
+        }
+        if (!(squared < test.squared_radius)) continue;
+        for (int axis = 0; axis < Dim; ++axis) test.x[axis][kept] = test.x[axis][k];
+        test.id[kept++] = test.id[k];
+    }
+    return kept;
+}
+template <class Real, int Dim, bool Periodic> NearFunctions<Real> plain_functions() {
+    return {select_plainly<Real, Dim, Periodic>, mark_plainly<Real, Dim, Periodic>,
+            take_plainly<Real>, keep_plainly<Real, Dim, Periodic>};
+}
 template <class Real, int Dim> NearFunctions<Real> plain_functions(bool periodic) {
-    if (periodic)
-        return {select_plainly<Real, Dim, true>, mark_plainly<Real, Dim, true>, take_plainly<Real>};
-    return {select_plainly<Real, Dim, false>, mark_plainly<Real, Dim, false>, take_plainly<Real>};
+    return periodic ? plain_functions<Real, Dim, true>() : plain_functions<Real, Dim, false>();
 }
 }  // namespace
 

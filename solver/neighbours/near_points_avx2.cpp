@@ -7,70 +7,55 @@
 namespace plumbline {
 namespace {
 
-/// For each of the 256 sets of 8 lanes: which lane each place of the packed result takes.
-struct LanesOfSets {
-    alignas(32) std::uint32_t lanes[256][8] = {};
-    constexpr LanesOfSets() {
-        for (std::uint32_t set = 0; set < 256; ++set)
-            for (std::uint32_t lane = 0, place = 0; lane < 8; ++lane)
-                if (set >> lane & 1u) lanes[set][place++] = lane;
+/// For each set of lanes, of `Parts` numbers of 32 bits each: which number each place of the packed
+/// result takes.
+template <std::uint32_t Parts> struct PlacesOfSets {
+    static constexpr std::uint32_t lanes = 8 / Parts;
+    alignas(32) std::uint32_t places[1u << lanes][8] = {};
+    constexpr PlacesOfSets() {
+        for (std::uint32_t set = 0; set < 1u << lanes; ++set)
+            for (std::uint32_t lane = 0, place = 0; lane < lanes; ++lane)
+                for (std::uint32_t part = 0; part < Parts && (set >> lane & 1u) != 0; ++part)
+                    places[set][place++] = Parts * lane + part;
+    }
+    __m256i of(unsigned set) const {
+        return _mm256_load_si256(reinterpret_cast<const __m256i*>(places[set]));
     }
 };
-constexpr LanesOfSets lanes_of_sets;
+constexpr PlacesOfSets<1> singles;
+constexpr PlacesOfSets<2> pairs;
 
-void store_ids(const std::uint32_t* ids, unsigned bits, std::uint32_t* out) {
-    for (unsigned lane = 0; lane < candidates_per_step; lane += 8) {
-        const unsigned set = bits >> lane & 255u;
-        const auto* order = reinterpret_cast<const __m256i*>(lanes_of_sets.lanes[set]);
-        const auto* from = reinterpret_cast<const __m256i*>(ids + lane);
-        _mm256_storeu_si256(
-            reinterpret_cast<__m256i*>(out),
-            _mm256_permutevar8x32_epi32(_mm256_loadu_si256(from), _mm256_load_si256(order)));
-        out += __builtin_popcount(set);
-    }
-}
-
-struct DoubleLanes {
-    using Real = double;
-    using Vector = __m256d;
-    static constexpr std::size_t size = 4;
-    static Vector all(double x) { return _mm256_set1_pd(x); }
-    static Vector load(const double* p) { return _mm256_loadu_pd(p); }
-    static Vector subtract(Vector a, Vector b) { return _mm256_sub_pd(a, b); }
-    static Vector add(Vector a, Vector b) { return _mm256_add_pd(a, b); }
-    static Vector multiply(Vector a, Vector b) { return _mm256_mul_pd(a, b); }
-    static Vector into_box(Vector d, Vector edge, Vector half, Vector minus_half) {
-        const Vector above = _mm256_and_pd(_mm256_cmp_pd(d, half, _CMP_GT_OQ), edge);
-        const Vector below_half = _mm256_and_pd(_mm256_cmp_pd(d, minus_half, _CMP_LT_OQ), edge);
-        return add(subtract(d, above), below_half);
-    }
-    static unsigned below(Vector a, Vector b) {
-        return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
-    }
+struct Ids {
     static void store(const std::uint32_t* ids, unsigned bits, std::uint32_t* out) {
-        store_ids(ids, bits, out);
+        for (unsigned lane = 0; lane < candidates_per_step; lane += 8) {
+            const unsigned set = bits >> lane & 255u;
+            const auto* from = reinterpret_cast<const __m256i*>(ids + lane);
+            _mm256_storeu_si256(
+                reinterpret_cast<__m256i*>(out),
+                _mm256_permutevar8x32_epi32(_mm256_loadu_si256(from), singles.of(set)));
+            out += __builtin_popcount(set);
+        }
     }
 };
 
-struct FloatLanes {
-    using Real = float;
-    using Vector = __m256;
-    static constexpr std::size_t size = 8;
-    static Vector all(float x) { return _mm256_set1_ps(x); }
-    static Vector load(const float* p) { return _mm256_loadu_ps(p); }
-    static Vector subtract(Vector a, Vector b) { return _mm256_sub_ps(a, b); }
-    static Vector add(Vector a, Vector b) { return _mm256_add_ps(a, b); }
-    static Vector multiply(Vector a, Vector b) { return _mm256_mul_ps(a, b); }
-    static Vector into_box(Vector d, Vector edge, Vector half, Vector minus_half) {
-        const Vector above = _mm256_and_ps(_mm256_cmp_ps(d, half, _CMP_GT_OQ), edge);
-        const Vector below_half = _mm256_and_ps(_mm256_cmp_ps(d, minus_half, _CMP_LT_OQ), edge);
-        return add(subtract(d, above), below_half);
-    }
+struct FloatLanes : VectorOf<float, 32>, Ids {
+    static Vector larger(Vector a, Vector b) { return _mm256_max_ps(a, b); }
     static unsigned below(Vector a, Vector b) {
         return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ)));
     }
-    static void store(const std::uint32_t* ids, unsigned bits, std::uint32_t* out) {
-        store_ids(ids, bits, out);
+    static void pack(Vector v, unsigned bits, float* out) {
+        _mm256_storeu_ps(out, _mm256_permutevar8x32_ps(v, singles.of(bits)));
+    }
+};
+struct DoubleLanes : VectorOf<double, 32>, Ids {
+    using Rounded = FloatLanes;
+    static Vector larger(Vector a, Vector b) { return _mm256_max_pd(a, b); }
+    static unsigned below(Vector a, Vector b) {
+        return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
+    }
+    static void pack(Vector v, unsigned bits, double* out) {
+        const __m256 packed = _mm256_permutevar8x32_ps(_mm256_castpd_ps(v), pairs.of(bits));
+        _mm256_storeu_pd(out, _mm256_castps_pd(packed));
     }
 };
 }  // namespace

@@ -25,6 +25,20 @@ template <class Real> Found find(const NearFunctions<Real>& near, const NearTest
     return found;
 }
 
+/// What is kept of the candidates: ids and coordinates.
+template <class Real, int Dim, class Space>
+std::pair<std::vector<Index>, std::vector<Real>> kept(Instructions instructions, const Space& space,
+                                                      NearCase<Real, Dim> drawn) {
+    const auto functions = near_functions<Real>(instructions, Dim, Space::is_periodic);
+    const VecOf<Real, Dim> corner = VecOf<Real, Dim>::Constant(Real(0.1));
+    auto& all = drawn.candidates;
+    all.keep_near(functions, space, drawn.centre - corner, drawn.centre + corner,
+                  drawn.squared_radius);
+    std::vector<Real> x;
+    for (int axis = 0; axis < Dim; ++axis) x.insert(x.end(), all.x(axis), all.x(axis) + all.size());
+    return {{all.id(), all.id() + all.size()}, x};
+}
+
 /// Sets of 0 .. 99 candidates of which the vector form finds others than the plain form.
 template <class Real, int Dim, class Space>
 double differences(const Space& space, Instructions instructions, Real radius_factor) {
@@ -35,7 +49,9 @@ double differences(const Space& space, Instructions instructions, Real radius_fa
         NearCase<Real, Dim> drawn(n);
         const Found expected = find(plain, drawn.test(space, 0));
         const Found later = find(plain, drawn.test(space, n / 3));
+        const auto expected_near_box = kept(Instructions::plain, space, drawn);
         drawn.squared_radius *= radius_factor;
+        different += kept(instructions, space, drawn) != expected_near_box;
         const Found found = find(vector, drawn.test(space, 0));
         different += found != expected || found.selected != found.taken ||
                      found.selected.size() != found.marked;
@@ -65,12 +81,57 @@ double differences_from_plain(int wider) {
     return different;
 }
 
+/// Sets of candidates of which the test in single precision finds others than the one in double. Points are
+/// multiples of 0.1, so that many are at the radius, up to `offset` away from the origin. A mistake to be
+/// caught: no margin for rounding.
+double differences_from_double(double offset, bool without_margin) {
+    const OpenSpace<3> space;
+    double different = 0.0;
+    for (const auto set : {Instructions::avx2, Instructions::avx512}) {
+        if (set > best_instructions()) continue;
+        const auto near = near_functions<double>(set, 3, false);
+        for (std::size_t n = 0; n < 100; ++n) {
+            NearCase<double, 3> drawn(n);
+            drawn.centre.array() += offset;
+            for (int axis = 0; axis < 3; ++axis)
+                for (std::size_t k = 0; k < n; ++k) drawn.candidates.x(axis)[k] += offset;
+            const Found expected = find(near, drawn.test(space, 0));
+            const Found later = find(near, drawn.test(space, n / 3));
+            const Vec<3> corner(0.3, 0.0, 0.1);
+            drawn.candidates.round(drawn.centre - corner, drawn.centre + 2.0 * corner);
+            const auto rounded = [&](std::size_t from) {
+                NearTest<double> test = drawn.test(space, from);
+                if (without_margin)
+                    test.rounded.near = test.rounded.perhaps =
+                        static_cast<float>(test.squared_radius);
+                return test;
+            };
+            different += rounded(0).rounded.x[0] == nullptr;
+            different += find(near, rounded(0)) != expected;
+            different += find(near, rounded(n / 3)) != later;
+        }
+    }
+    return different;
+}
+
 const Register claims_of_near_points_lanes{
+    Claim{.id = "near_points.single_precision_decides_as_double",
+          .source = {Paper::plumbline, "docstring of RoundedTest"},
+          .says =
+              "tests in single precision give the candidates of double precision, with many at the "
+              "radius, at the origin and 1e3 and 1e8 away from it",
+          .bound = at_most(0.0, "what single precision cannot tell, double precision decides"),
+          .measure =
+              [] {
+                  return differences_from_double(0.0, false) + differences_from_double(1e3, false) +
+                         differences_from_double(1e8, false);
+              },
+          .sabotaged = [] { return differences_from_double(0.0, true); }},
     Claim{.id = "near_points.vector_instructions_equal_the_plain_form",
           .source = {Paper::plumbline, "docstring of Instructions"},
-          .says =
-              "AVX2 and AVX-512 select, mark and take the candidates of the plain form, in single "
-              "and double precision, 1D, 2D and 3D, open space and periodic box",
+          .says = "AVX2 and AVX-512 select, mark, take and keep the candidates of the plain form, "
+                  "in single "
+                  "and double precision, 1D, 2D and 3D, open space and periodic box",
           .bound = at_most(0.0, "the same operations in the same order, without contraction"),
           .measure = [] { return differences_from_plain(0); },
           .sabotaged = [] { return differences_from_plain(1); }},
