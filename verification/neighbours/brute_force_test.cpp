@@ -51,7 +51,9 @@ template <int Dim> double check_all(Index n) {
         const auto expected_in_single = brute_force<float, Dim>(open, rounded, cloud.radius);
         using Grid = CellGrid<Dim, OpenSpace<Dim>, float>;
         using Tree = LeafTree<Dim, OpenSpace<Dim>, float>;
+        using Levels = LevelGrid<Dim, OpenSpace<Dim>, float>;
         check<Grid, float, Dim>(Grid(), cloud, rounded, expected_in_single);
+        check<Levels, float, Dim>(Levels(), cloud, rounded, expected_in_single);
         decided += check<Tree, float, Dim>(Tree(), cloud, rounded, expected_in_single);
     }
     return decided;

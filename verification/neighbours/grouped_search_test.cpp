@@ -2,6 +2,7 @@
 
 #include "solver/neighbours/cell_grid.h"
 #include "solver/neighbours/leaf_tree.h"
+#include "solver/neighbours/level_grid.h"
 #include "solver/particles/uniform_random.h"
 
 #include <catch2/catch.hpp>
@@ -11,7 +12,8 @@
 using namespace plumbline;
 
 TEMPLATE_TEST_CASE("grouped searches: no points, one point", "", CellGrid<3>, LeafTree<3>,
-                   (CellGrid<3, PeriodicBox<3>>), (LeafTree<3, PeriodicBox<3>>)) {
+                   LevelGrid<3>, (CellGrid<3, PeriodicBox<3>>), (LeafTree<3, PeriodicBox<3>>),
+                   (LevelGrid<3, PeriodicBox<3>>)) {
     using Space = std::decay_t<decltype(std::declval<TestType>().space())>;
     const auto search = [](const Points<3>& points) {
         TestType made = [] {
@@ -38,7 +40,8 @@ TEMPLATE_TEST_CASE("grouped searches: no points, one point", "", CellGrid<3>, Le
     CHECK(counts == std::vector<Index>{1});
 }
 
-TEMPLATE_TEST_CASE("grouped searches: bad radii are refused", "", CellGrid<2>, LeafTree<2>) {
+TEMPLATE_TEST_CASE("grouped searches: bad radii are refused", "", CellGrid<2>, LeafTree<2>,
+                   LevelGrid<2>) {
     const Points<2> points = uniform_random(unit_box<2>(), 20, 1);
     TestType search;
     search.build(points, 0.1);
@@ -51,7 +54,7 @@ TEMPLATE_TEST_CASE("grouped searches: bad radii are refused", "", CellGrid<2>, L
 }
 
 TEMPLATE_TEST_CASE("grouped searches: lists are used again, for fewer points and for more", "",
-                   CellGrid<3>, LeafTree<3>) {
+                   CellGrid<3>, LeafTree<3>, LevelGrid<3>) {
     PackedLists lists;
     for (const Index n : {3000u, 10u, 5000u, 3000u}) {
         const Points<3> points = uniform_random(unit_box<3>(), n, n);

@@ -118,6 +118,7 @@ template <int Dim, class Space>
 using HashGridOfDiameter = HashGrid<Dim, HashSpacing::diameter, Space>;
 template <int Dim, class Space> using CellGridInDouble = CellGrid<Dim, Space>;
 template <int Dim, class Space> using LeafTreeInDouble = LeafTree<Dim, Space>;
+template <int Dim, class Space> using LevelGridInDouble = LevelGrid<Dim, Space>;
 template <int Dim, class Space> using HashGridOfRadius = HashGrid<Dim, HashSpacing::radius, Space>;
 
 template <int Dim> void add_claims_of_all(std::vector<Claim>& claims) {
@@ -128,6 +129,7 @@ template <int Dim> void add_claims_of_all(std::vector<Claim>& claims) {
     add_claims<Dim, HashGridOfRadius>(claims, {Paper::adams2009, "Algs. 3, 4; Sec. 5.2"});
     add_claims<Dim, CellGridInDouble>(claims, {Paper::adams2009, "Sec. 5"});
     add_claims<Dim, LeafTreeInDouble>(claims, {Paper::adams2009, "Sec. 5.1"});
+    add_claims<Dim, LevelGridInDouble>(claims, {Paper::adams2009, "Sec. 5.2"});
 }
 
 const Register claims_of_all_searches{[] {

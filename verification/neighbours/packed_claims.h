@@ -47,6 +47,27 @@ template <class Search, class Space> double wrong_halves(const Space& space, boo
     });
 }
 
+/// Distances computed for each neighbour found, with radii that follow a density graded 1 : contrast, as
+/// in adaptive SPH: about 30 neighbours everywhere.
+template <class Search> double distances_per_neighbour(double contrast) {
+    using namespace plumbline;
+    constexpr Index n = 20000;
+    const Points<3> points = graded(unit_box<3>(), n, contrast);
+    const double growth = std::log(contrast);
+    std::vector<double> radii;
+    for (const Vec<3>& x : points)
+        radii.push_back(radius_for<3>(
+            30.0, growth == 0.0 ? n : n * growth / (contrast - 1.0) * std::exp(growth * x[0])));
+    Search search;
+    search.build(points, *std::ranges::max_element(radii));
+    PackedLists lists;
+    search.pack(radii, lists);
+    return static_cast<double>(search.distances(radii)) / static_cast<double>(lists.pairs());
+}
+template <class Search> double distances_over_those_at_even_density() {
+    return distances_per_neighbour<Search>(1000.0) / distances_per_neighbour<Search>(1.0);
+}
+
 inline Bound decided_alike() {
     return at_most(0.0, "decided by the same floating-point expression as brute force");
 }

@@ -5,6 +5,7 @@
 #include "solver/neighbours/hash_grid.h"
 #include "solver/neighbours/kd_tree.h"
 #include "solver/neighbours/leaf_tree.h"
+#include "solver/neighbours/level_grid.h"
 #include "verification/neighbours/under_test.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ template <int Dim, class Space, class Visit> void for_each_search(const Space& s
     visit(HashGrid<Dim, HashSpacing::radius, Space>(space));
     visit(CellGrid<Dim, Space>(space));
     visit(LeafTree<Dim, Space>(space));
+    visit(LevelGrid<Dim, Space>(space));
 }
 /// The same in open space, the searches of adams2009 by way of their seams.
 template <int Dim, class Visit> void for_each_search(Visit visit) {
@@ -29,6 +31,7 @@ template <int Dim, class Visit> void for_each_search(Visit visit) {
     visit(HashGrid<Dim, HashSpacing::radius>());
     visit(CellGrid<Dim>());
     visit(LeafTree<Dim>());
+    visit(LevelGrid<Dim>());
 }
 
 /// Pairs that one of two lists has and the other has not, and pairs listed twice.
