@@ -2,14 +2,26 @@
 #include "solver/neighbours/hash_grid.h"
 #include "solver/neighbours/kd_tree.h"
 #include "solver/neighbours/leaf_tree.h"
+#include "solver/neighbours/level_grid.h"
 #include "solver/neighbours/skin_lists.h"
 
+#include <numeric>
 #include <optional>
 
 namespace benchmarks {
 
 namespace {
 using namespace plumbline;
+
+NeighbourLists sorted_lists(std::vector<std::vector<Index>>& rows) {
+    NeighbourLists lists{{0}, {}};
+    for (std::vector<Index>& row : rows) {
+        std::ranges::sort(row);
+        lists.indices.insert(lists.indices.end(), row.begin(), row.end());
+        lists.offsets.push_back(lists.indices.size());
+    }
+    return lists;
+}
 
 /// Positions and distances in single precision, lists as found.
 template <int Dim> class SinglePrecision : public Contestant<Dim> {
@@ -61,17 +73,85 @@ public:
                 rows[j].push_back(i);
             }
         }
-        Lists lists{{0}, {}};
-        for (std::vector<Index>& row : rows) {
-            std::ranges::sort(row);
-            lists.indices.insert(lists.indices.end(), row.begin(), row.end());
-            lists.offsets.push_back(lists.indices.size());
-        }
-        return lists;
+        return sorted_lists(rows);
     }
     std::string form() const override { return "each pair once, as found"; }
     bool is_full_answer() const override { return false; }
     bool has_own_radii() const override { return false; }
+};
+
+/// Lengths of rows only. The answer is the rows of the same grid, but none where the length is not that counted.
+template <int Dim> class Counts : public Searching<Dim, CellGrid<Dim>> {
+public:
+    using typename Contestant<Dim>::Lists;
+
+    void query(std::span<const double> radii, Lists&) override {
+        radii_.assign(radii.begin(), radii.end());
+        if (radii.empty())
+            this->search().count(counts_);
+        else
+            this->search().count(radii, counts_);
+    }
+    Lists answer(const Lists&) const override {
+        PackedLists packed;
+        if (radii_.empty())
+            this->search().pack(packed);
+        else
+            this->search().pack(radii_, packed);
+        Lists lists = ascending(packed), as_counted{{0}, {}};
+        for (Index i = 0; i < lists.size(); ++i) {
+            const auto row = lists.of(i);
+            if (counts_[i] == row.size())
+                as_counted.indices.insert(as_counted.indices.end(), row.begin(), row.end());
+            as_counted.offsets.push_back(as_counted.indices.size());
+        }
+        return as_counted;
+    }
+    std::size_t answer_bytes(const Lists&) const override { return counts_.size() * sizeof(Index); }
+    std::string form() const override { return "lengths of rows only"; }
+    bool is_full_answer() const override { return false; }
+
+private:
+    std::vector<Index> counts_;
+    std::vector<double> radii_;
+};
+
+/// Each row is handed to a function, which adds up its numbers, and is not stored.
+template <int Dim> class Callback : public Searching<Dim, CellGrid<Dim>> {
+public:
+    using typename Contestant<Dim>::Lists;
+
+    void query(std::span<const double> radii, Lists&) override {
+        radii_.assign(radii.begin(), radii.end());
+        sums_.resize(this->points().size());
+        visit_rows([&](Index i, std::span<const Index> row) {
+            sums_[i] = std::accumulate(row.begin(), row.end(), std::uint64_t{0});
+        });
+    }
+    /// Rows handed out once more, but none where their sum is another.
+    Lists answer(const Lists&) const override {
+        std::vector<std::vector<Index>> rows(sums_.size());
+        visit_rows([&](Index i, std::span<const Index> row) {
+            if (std::accumulate(row.begin(), row.end(), std::uint64_t{0}) == sums_[i])
+                rows[i].assign(row.begin(), row.end());
+        });
+        return sorted_lists(rows);
+    }
+    std::size_t answer_bytes(const Lists&) const override {
+        return sums_.size() * sizeof(std::uint64_t);
+    }
+    std::string form() const override { return "rows handed to a function, as found, not stored"; }
+    bool is_full_answer() const override { return false; }
+
+private:
+    template <class Visit> void visit_rows(Visit visit) const {
+        if (radii_.empty())
+            this->search().for_each_row(visit);
+        else
+            this->search().for_each_row(radii_, visit);
+    }
+    std::vector<std::uint64_t> sums_;
+    std::vector<double> radii_;
 };
 
 /// Lists with a skin of 0.2 radii; a query takes the neighbours out of them.
@@ -103,10 +183,14 @@ template <int Dim> std::vector<ContestantMaker<Dim>> our_contestants() {
             maker<Dim, SortedForm<Dim, HashGrid<Dim, HashSpacing::radius>>>("hash_grid_r"),
             maker<Dim, SortedForm<Dim, KdTree<Dim>>>("kd_tree"),
             maker<Dim, SortedForm<Dim, LeafTree<Dim>>>("leaf_tree"),
+            maker<Dim, SortedForm<Dim, LevelGrid<Dim>>>("level_grid"),
             maker<Dim, PackedForm<Dim, CellGrid<Dim>>>("cell_grid_packed"),
             maker<Dim, PackedForm<Dim, LeafTree<Dim>>>("leaf_tree_packed"),
+            maker<Dim, PackedForm<Dim, LevelGrid<Dim>>>("level_grid_packed"),
             maker<Dim, SinglePrecision<Dim>>("cell_grid_single"),
             maker<Dim, Pairs<Dim>>("cell_grid_pairs"),
+            maker<Dim, Counts<Dim>>("cell_grid_counts"),
+            maker<Dim, Callback<Dim>>("cell_grid_callback"),
             maker<Dim, Skin<Dim>>("skin_lists")};
 }
 template std::vector<ContestantMaker<2>> our_contestants<2>();

@@ -10,6 +10,8 @@
 #include "reports/progress.h"
 #include "reports/provenance.h"
 #include "solver/io/read_points.h"
+#include "solver/neighbours/queries.h"
+#include "verification/framework/statistics.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -25,7 +27,7 @@ using namespace benchmarks;
 
 struct Options {
     NeighbourRequest request;
-    std::string points, json, directory;
+    std::string points, radii, json, directory;
     std::vector<std::string> searches, studies;
     int repeats = 0;
     bool quick = false;
@@ -41,11 +43,30 @@ ComparisonOptions how(const Options& options) {
     return how;
 }
 
+/// The radius of each point, from a column of its file.
+std::vector<double> radii_of(const PointFile& file, const std::string& column) {
+    const std::vector<double>& radii = file.column(column);
+    for (std::size_t i = 0; i < radii.size(); ++i)
+        if (!(radii[i] >= smallest_radius<double> && radii[i] <= largest_length<double>))
+            throw InvalidInput(fmt::format(
+                "--radii: expected a radius in [{:g}, {:g}] for each point, found {:g} (column "
+                "\"{}\", "
+                "point {})",
+                smallest_radius<double>, largest_length<double>, radii[i], column, i + 1));
+    return radii;
+}
+
 template <int Dim>
 CaseResult measure_file(const Options& options, const PointFile& file, const SearchSituation& s) {
     PointCloud<Dim> cloud{std::filesystem::path(options.points).stem().string(),
                           file.points_as<Dim>(), 0.0};
-    cloud.radius = s.radius ? *s.radius : radius_with_neighbours(cloud.points, usual_neighbours);
+    if (!options.radii.empty()) {
+        cloud.radii = radii_of(file, options.radii);
+        cloud.radius = verification::median(cloud.radii);
+    } else {
+        cloud.radius =
+            s.radius ? *s.radius : radius_with_neighbours(cloud.points, usual_neighbours);
+    }
     reorder(cloud, s.order);
     ComparisonOptions how = reports::how(options);
     how.spacings = s.spacings;
@@ -169,6 +190,13 @@ void declare_points(CLI::App& app, Options& o) {
     const auto own =
         app.add_flag("--own-radii", o.request.own_radii,
                      "each point asks with a radius of its own, for as many neighbours each");
+    app.add_option("--radii", o.radii, "column of the file with the radius of each point (r)")
+        ->needs(points)
+        ->expected(0, 1)
+        ->default_str("r")
+        ->excludes(radius)
+        ->excludes(spacings)
+        ->excludes(own);
     const auto study = app.add_option("--study", o.studies, "what the page of `report` shows")
                            ->check(CLI::IsMember(study_names()));
     for (CLI::Option* option :

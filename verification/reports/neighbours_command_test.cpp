@@ -42,6 +42,23 @@ TEST_CASE("plumbline neighbours: JSON has every search, that it agrees, its time
     CHECK(places >= 6);
 }
 
+TEST_CASE("plumbline neighbours: radii from a column of the file, one for each point") {
+    const ScratchFolder folder;
+    folder.write("radii.csv", "x,y,z,r,h\n0,0,0,1.5,9\n1,0,0,0.5,9\n0,0,5,6,9\n");
+    const auto neighbours_with = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"neighbours", "--points", "radii.csv", "--repeats", "6"});
+        options.insert(options.end(), {"--json", "-"});
+        const ProgramRun run = run_plumbline(folder, options);
+        INFO(run.err);
+        REQUIRE(run.exit_code == 0);
+        const json c = json::parse(run.out).at("neighbours").at("studies").at(0).at("cases").at(0);
+        CHECK(c.at("own_radii") == true);
+        return 3.0 * c.at("mean_neighbours").get<double>();
+    };
+    CHECK(neighbours_with({"--radii"}) == Approx(2 + 1 + 3));  // the farthest is sqrt(26) away
+    CHECK(neighbours_with({"--radii", "h"}) == Approx(9));
+}
+
 TEST_CASE("plumbline neighbours writes charts, their tables, and one table of everything") {
     const ScratchFolder folder;
     const ProgramRun run =
@@ -59,11 +76,17 @@ TEST_CASE("plumbline neighbours writes charts, their tables, and one table of ev
 TEST_CASE("plumbline neighbours says what an option must be") {
     const ScratchFolder folder;
     folder.write("three.csv", three_points);
+    folder.write("zero.csv", "x,y,r\n0,0,1\n1,0,0\n");
     const std::vector<std::pair<std::vector<std::string>, std::string>> table{
         {{"--points", "three.csv", "--radius", "0"}, "expected a radius in [1e-150, 1e+150]"},
         {{"--points", "three.csv", "--radius", "wide"}, "Could not convert: --radius = wide"},
         {{"--points", "three.csv", "--cloud", "line"}, "--points excludes --cloud"},
         {{"--points", "three.csv", "--radius", "1", "--own-radii"}, "expected none beside"},
+        {{"--points", "three.csv", "--radii", "h"},
+         "expected a column \"h\", found coordinates only"},
+        {{"--points", "zero.csv", "--radii"}, "found 0 (column \"r\", point 2)"},
+        {{"--points", "zero.csv", "--radii", "--radius", "1"}, "--radii excludes --radius"},
+        {{"--radii", "r"}, "--radii requires --points"},
         {{"--cloud", "sphere"}, "sphere not in {jittered,"},
         {{"--order", "sideways"}, "sideways not in {as_given,"},
         {{"--moved", "1.5"}, "--moved: expected a number from 0 to 1, found 1.5"},
