@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <fstream>
+
 namespace benchmarks {
 
 namespace {
@@ -16,7 +18,20 @@ template <int Dim> double radius_of(const PointCloud<Dim>& cloud, std::size_t i)
 }
 }  // namespace
 
-template <int Dim> void require_affordable(const PointCloud<Dim>& cloud) {
+double memory_bytes() {
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+double free_memory_bytes() {
+    std::ifstream info("/proc/meminfo");
+    for (std::string word; info >> word;)
+        if (double kilobytes = 0.0; word == "MemAvailable:" && info >> kilobytes)
+            return 1024.0 * kilobytes;
+    return memory_bytes();
+}
+
+template <int Dim> double affordable_lists(const PointCloud<Dim>& cloud) {
     if (cloud.points.empty()) throw InvalidInput("comparison: expected points, found none");
     check_radius(OpenSpace<Dim>{}, cloud.radius);
     check_points(OpenSpace<Dim>{}, std::span<const Vec<Dim>>(cloud.points));
@@ -31,14 +46,14 @@ template <int Dim> void require_affordable(const PointCloud<Dim>& cloud) {
     }
     const double lists =
         neighbours / static_cast<double>(rows) * static_cast<double>(n) * sizeof(Index);
-    const double memory =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    const double memory = memory_bytes();
     constexpr double copies = 4.0;  // two searches, each with what it fills its lists from
     if (copies * lists > memory)
         throw InvalidInput(
             fmt::format("comparison: a radius of {:.17g} makes lists of {:.3g} GB, expected at "
                         "most a quarter of the memory, {:.3g} GB",
                         cloud.radius, lists * 1e-9, memory / copies * 1e-9));
+    return lists;
 }
 
 std::size_t affordable_rows(std::size_t points, double pairs) {
@@ -66,8 +81,8 @@ std::size_t wrong_against_brute_force(const PointCloud<Dim>& cloud, const Neighb
     return verification::wrong_pairs(found, oracle.query(queries, radii));
 }
 
-template void require_affordable<2>(const PointCloud<2>&);
-template void require_affordable<3>(const PointCloud<3>&);
+template double affordable_lists<2>(const PointCloud<2>&);
+template double affordable_lists<3>(const PointCloud<3>&);
 template std::size_t wrong_against_brute_force<double, 2>(const PointCloud<2>&,
                                                           const NeighbourLists&, std::size_t);
 template std::size_t wrong_against_brute_force<double, 3>(const PointCloud<3>&,

@@ -5,9 +5,14 @@
 
 namespace benchmarks {
 
-/// Throws InvalidInput if the lists, extrapolated from a sample of rows, would not fit into memory next
-/// to those of a second search; if there are no points, or the radius is none.
-template <int Dim> void require_affordable(const PointCloud<Dim>& cloud);
+/// The bytes of the lists, extrapolated from a sample of rows.
+/// Throws InvalidInput if they would not fit into memory next to those of a second search; if there are no
+/// points, or the radius is none.
+template <int Dim> double affordable_lists(const PointCloud<Dim>& cloud);
+
+/// Of all memory, and of that which is free or can be freed.
+double memory_bytes();
+double free_memory_bytes();
 
 /// How many rows of `cloud` brute force can give within `pairs` tested pairs; at least one.
 std::size_t affordable_rows(std::size_t points, double pairs);

@@ -66,8 +66,15 @@ double unevenness_of(const NeighbourLists& lists) {
 /// Every search on one cloud: first whether they are right, then how fast they are.
 template <int Dim> class Contest {
 public:
-    Contest(const PointCloud<Dim>& cloud, const ComparisonOptions& options, CaseResult& result)
-        : cloud_{cloud}, options_{options}, result_{result} {}
+    /// `lists_bytes` is about what the lists of one search take.
+    Contest(const PointCloud<Dim>& cloud, const ComparisonOptions& options, double lists_bytes,
+            CaseResult& result)
+        : cloud_{cloud}, options_{options}, lists_bytes_{lists_bytes}, result_{result} {
+        constexpr double usual_bytes = 300.0;  // that a search takes per point, its copies included
+        const double all = static_cast<double>(options.searches.size()) *
+                           (lists_bytes + usual_bytes * static_cast<double>(cloud.points.size()));
+        result_.one_at_a_time = all > 0.5 * memory_bytes();
+    }
 
     void check_agreement() {
         if (options_.moved) moved_ = moved_clouds(cloud_, *options_.moved);
@@ -79,9 +86,12 @@ public:
             if (!cloud_.radii.empty() && !contestant->has_own_radii()) continue;
             result_.searches.push_back({.name = name,
                                         .form = contestant->form(),
-                                        .is_full_answer = contestant->is_full_answer()});
+                                        .is_full_answer = contestant->is_full_answer(),
+                                        .left_out = too_large(name)});
+            if (result_.searches.back().left_out.empty())
+                first_run(*contestant, result_.searches.back());
+            if (result_.one_at_a_time) contestant.reset();
             all_.push_back(std::move(contestant));
-            first_run(*all_.back(), result_.searches.back());
         }
     }
 
@@ -97,12 +107,14 @@ public:
                     const std::size_t k = round % 2 == 0 ? turn : all_.size() - 1 - turn;
                     SearchResult& search = result_.searches[k];
                     if (!search.agrees()) continue;
-                    run(*all_[k], search.runs);
-                    if (twice && twice != &search) continue;
-                    twice = &search;
-                    Runs second;
-                    run(*all_[k], second);
-                    again.push_back(second.total().front());
+                    const auto contestant = ready(k);
+                    run(*contestant, search.runs);
+                    if (!twice || twice == &search) {
+                        twice = &search;
+                        Runs second;
+                        run(*contestant, second);
+                        again.push_back(second.total().front());
+                    }
                 }
             });
         }
@@ -115,6 +127,33 @@ public:
     }
 
 private:
+    /// Why a search cannot be run, if so: by its memory for the first points of a large cloud.
+    std::string too_large(const std::string& name) const {
+        constexpr std::size_t sample = 100000;
+        const std::size_t n = cloud_.points.size();
+        if (!result_.one_at_a_time || n <= sample) return {};
+        const auto contestant = make_contestant<Dim>(name);
+        contestant->take(std::span(cloud_.points).first(sample));
+        const std::size_t before = allocated_bytes();
+        contestant->build(cloud_.radius);
+        const double held =
+            static_cast<double>(allocated_bytes() - before) * (static_cast<double>(n) / sample);
+        constexpr double copies = 3.0;  // of the lists: its answer, sorted, and the first one's
+        const double needed = 1.5 * held + copies * lists_bytes_;
+        if (needed < free_memory_bytes()) return {};
+        return fmt::format("would need about {:.1f} GB, {:.1f} are free", 1e-9 * needed,
+                           1e-9 * free_memory_bytes());
+    }
+
+    /// A contestant that has run before.
+    std::shared_ptr<Contestant<Dim>> ready(std::size_t k) {
+        if (!result_.one_at_a_time) return all_[k];
+        std::shared_ptr<Contestant<Dim>> fresh = make_contestant<Dim>(result_.searches[k].name);
+        Runs before;
+        run(*fresh, before);
+        return fresh;
+    }
+
     /// Cold, counted, and compared with brute force or with the search that was.
     void first_run(Contestant<Dim>& contestant, SearchResult& search) {
         NeighbourLists lists;
@@ -130,7 +169,11 @@ private:
             search.peak_bytes = *most > search.lists_bytes ? *most - search.lists_bytes : 0;
         NeighbourLists answer = contestant.answer(lists);
         search.wrong_pairs = wrong_pairs(contestant, cloud_, answer);
-        if (all_.size() == 1) keep(std::move(answer));
+        if (reference_ == Reference::none) {
+            reference_ = contestant.is_single_precision() || !search.agrees() ? Reference::unfit
+                                                                              : Reference::fit;
+            keep(std::move(answer), search);
+        }
         if (moved_.empty() || !contestant.has_update()) return;
         for (const PointCloud<Dim>& step : moved_) {
             contestant.take(step.points);
@@ -146,18 +189,16 @@ private:
         const std::size_t rows = affordable_rows(result_.count, options_.brute_force_pairs);
         if (contestant.is_single_precision())
             return wrong_against_brute_force<float>(cloud, answer, rows);
-        if (all_.size() == 1 || !result_.searches.front().agrees() ||
-            all_.front()->is_single_precision())
-            return wrong_against_brute_force(cloud, answer, rows);
+        if (reference_ != Reference::fit) return wrong_against_brute_force(cloud, answer, rows);
         return verification::wrong_pairs(answer, lists_);
     }
 
     /// The lists of the first search are what the others are compared with.
-    void keep(NeighbourLists answer) {
+    void keep(NeighbourLists answer, const SearchResult& search) {
         lists_ = std::move(answer);
         const auto pairs = static_cast<double>(lists_.indices.size());
         result_.brute_force_rows = affordable_rows(result_.count, options_.brute_force_pairs);
-        result_.lists_bytes = result_.searches.front().lists_bytes;
+        result_.lists_bytes = search.lists_bytes;
         result_.mean_neighbours = pairs / static_cast<double>(result_.count);
         result_.unevenness = unevenness_of(lists_);
     }
@@ -180,8 +221,10 @@ private:
 
     const PointCloud<Dim>& cloud_;
     const ComparisonOptions& options_;
+    double lists_bytes_;
     CaseResult& result_;
-    std::vector<std::unique_ptr<Contestant<Dim>>> all_;
+    std::vector<std::shared_ptr<Contestant<Dim>>> all_;
+    enum class Reference { none, unfit, fit } reference_ = Reference::none;
     NeighbourLists lists_;                // of the first search; then what all of them fill
     std::vector<PointCloud<Dim>> moved_;  // after each step; empty if nothing moves
 };
@@ -200,7 +243,9 @@ std::vector<double> Runs::step(double queries_per_update) const {
     return all;
 }
 
-bool CaseResult::all_agree() const { return std::ranges::all_of(searches, &SearchResult::agrees); }
+bool CaseResult::all_agree() const {
+    return std::ranges::all_of(searches, [](const SearchResult& s) { return s.wrong_pairs == 0; });
+}
 
 template <int Dim> CaseResult compare(PointCloud<Dim> cloud, const ComparisonOptions& options) {
     if (options.searches.empty() || options.least < 1)
@@ -213,7 +258,7 @@ template <int Dim> CaseResult compare(PointCloud<Dim> cloud, const ComparisonOpt
             r *= options.spacings.value_or(usual_spacings) / usual_spacings;
         cloud.radius = verification::median(cloud.radii);
     }
-    require_affordable(cloud);
+    const double lists_bytes = affordable_lists(cloud);
     CaseResult result;
     result.cloud = cloud.name;
     result.order = cloud.order;
@@ -222,10 +267,10 @@ template <int Dim> CaseResult compare(PointCloud<Dim> cloud, const ComparisonOpt
     result.count = cloud.points.size();
     result.radius = cloud.radius;
     result.spacings = options.spacings.value_or(usual_spacings);
-    result.own_radii = options.own_radii;
+    result.own_radii = !cloud.radii.empty();
     result.moved = options.moved.value_or(0.0);
     result.points_bytes = cloud.points.size() * sizeof(Vec<Dim>);
-    Contest<Dim> contest(cloud, options, result);
+    Contest<Dim> contest(cloud, options, lists_bytes, result);
     contest.check_agreement();
     contest.time();
     return result;

@@ -26,6 +26,7 @@ struct SearchResult {
     std::string name;
     std::string form = "sorted lists";  // of its answer
     bool is_full_answer = true;         // all neighbours, in double precision: it may be ranked
+    std::string left_out = {};          // why it was not run, if it was not
     std::size_t wrong_pairs = 0;        // if any, nothing was timed: a wrong search has no speed
     Runs runs = {};
     double cold_build_s = 0.0, cold_query_s = 0.0;  // the first: new memory, empty caches
@@ -34,7 +35,7 @@ struct SearchResult {
     /// Beyond the points and lists while it built and queried; empty where it cannot be told.
     std::optional<std::size_t> peak_bytes = {};
 
-    bool agrees() const { return wrong_pairs == 0; }
+    bool agrees() const { return wrong_pairs == 0 && left_out.empty(); }
     Timing build() const { return summarise(runs.build); }
     Timing query() const { return summarise(runs.query); }
     Timing update() const { return summarise(runs.update); }
@@ -66,8 +67,12 @@ struct CaseResult : Case {
     /// By how much two successive runs of one and the same search differ, the median over the rounds:
     /// no interval of a ratio is made narrower.
     double noise = 0.0;
+    /// Whether the searches are too large to be in memory side by side: then each is made anew for each of
+    /// its runs, and run once before it is timed.
+    bool one_at_a_time = false;
     std::vector<SearchResult> searches = {};
 
+    /// All that were run.
     bool all_agree() const;
 };
 
