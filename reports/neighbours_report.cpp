@@ -80,6 +80,7 @@ Json json_of(const SearchResult& s) {
     Json json = {{"search", s.name},
                  {"form", s.form},
                  {"is_full_answer", s.is_full_answer},
+                 {"left_out", s.left_out},
                  {"wrong_pairs", s.wrong_pairs},
                  {"cold_build_s", number(s.cold_build_s)},
                  {"cold_query_s", number(s.cold_query_s)},
@@ -117,6 +118,7 @@ Json json_of(const CaseResult& c) {
             {"lists_bytes", c.lists_bytes},
             {"brute_force_rows", c.brute_force_rows},
             {"noise", number(c.noise)},
+            {"one_at_a_time", c.one_at_a_time},
             {"recommendation", recommendation(c)},
             {"searches", std::move(searches)}};
 }
@@ -124,7 +126,7 @@ Json json_of(const CaseResult& c) {
 Json json_of(const SearchStudyResult& study) {
     Json verdicts = Json::array();
     for (const Verdict& v : verdicts_on_section_5_3(study))
-        verdicts.push_back({{"source", "adams2009 Sec. 5.3"},
+        verdicts.push_back({{"source", v.source},
                             {"statement", v.statement},
                             {"verdict", v.word},
                             {"evidence", v.evidence}});

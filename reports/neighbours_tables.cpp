@@ -61,13 +61,17 @@ std::string table_of(const CaseResult& c) {
     const auto places = places_of(c);
     for (std::size_t k = 0; k < c.searches.size(); ++k) {
         const SearchResult& s = c.searches[k];
-        text += s.agrees()
+        text += !s.left_out.empty() ? fmt::format("{:<16} left out: {}\n", s.name, s.left_out)
+                : s.agrees()
                     ? row_of(c, s, places[k], standing.best.empty() ? s : *standing.best.front())
                     : fmt::format("{:<16} DISAGREES: {} wrong pairs; not timed\n", s.name,
                                   s.wrong_pairs);
     }
+    if (c.one_at_a_time)
+        text += "too large to be in memory side by side: each was made anew for each of its runs\n";
     constexpr double busy = 0.2;  // an idle machine shows a few per cent
     if (c.noise > busy) text += "the machine is busy: measure again when it is not\n";
+    text += "lists: one after the other, indices ascending in each, unless another form is named\n";
     for (const SearchResult& s : c.searches)
         if (s.form != SearchResult{}.form)
             text += fmt::format("{}: {}{}\n", s.name, s.form,
@@ -94,7 +98,7 @@ std::string tables_of(const SearchStudyResult& study) {
         if (!build.empty()) text += '\n';
     }
     for (const Verdict& v : verdicts_on_section_5_3(study))
-        text += fmt::format("adams2009 Sec. 5.3: {}: {}.\n  {}\n", v.statement, v.word, v.evidence);
+        text += fmt::format("{}: {}: {}.\n  {}\n", v.source, v.statement, v.word, v.evidence);
     return text;
 }
 

@@ -1,7 +1,9 @@
 #include "benchmarks/framework/memory.h"
 
 #include <malloc.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -37,6 +39,13 @@ std::optional<std::size_t> PeakMemory::bytes() const {
     const auto peak = status_bytes("VmHWM:");
     if (!before_ || !peak) return {};
     return *peak > *before_ ? *peak - *before_ : 0;
+}
+
+CacheSizes cache_sizes() {
+    const auto bytes = [](int name) {
+        return static_cast<std::size_t>(std::max(0L, sysconf(name)));
+    };
+    return {bytes(_SC_LEVEL2_CACHE_SIZE), bytes(_SC_LEVEL3_CACHE_SIZE)};
 }
 
 void empty_caches() {

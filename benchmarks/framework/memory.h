@@ -23,6 +23,12 @@ private:
     std::optional<std::size_t> before_;
 };
 
+/// The bytes of a core's own cache and of the one that cores share; 0 where the system does not say.
+struct CacheSizes {
+    std::size_t own, shared;
+};
+CacheSizes cache_sizes();
+
 /// Replaces what the processor's caches hold.
 void empty_caches();
 

@@ -65,7 +65,8 @@ std::vector<SearchStudy> search_studies(Level level) {
     const bool quick = level == Level::quick;
     const SearchSituation usual{.cloud = {.count = quick ? 5000u : 100000u}};
     std::vector<Index> sizes{1000, 3000, 10000, 30000, 100000};
-    if (!quick) sizes.insert(sizes.end(), {300000, 1000000});
+    if (!quick)  // at least three in each cache and beyond, for verdicts on growth
+        sizes = {1000, 2000, 5000, 10000, 20000, 50000, 100000, 200000, 500000, 1000000};
     std::vector<double> spacings{1.2, 2.0, 4.0}, moved{0.01, 0.1, 1.0};
     if (!quick) spacings = {1.2, 1.5, 2.0, 3.0, 4.0}, moved = {0.001, 0.01, 0.1, 1.0};
     std::vector<int> threads{1};

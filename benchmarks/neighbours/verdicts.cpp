@@ -1,5 +1,6 @@
 #include "benchmarks/neighbours/verdicts.h"
 
+#include "benchmarks/neighbours/growth.h"
 #include "verification/framework/statistics.h"
 
 #include <fmt/format.h>
@@ -13,13 +14,16 @@ namespace {
 using Cases = std::vector<CaseResult>;
 constexpr const char* kd_tree = "kd_tree";
 
-/// The faster of the two hash grids.
-const SearchResult* hash_grid(const CaseResult& result) {
+/// That with the least median of the total.
+const SearchResult* fastest_of(const CaseResult& result, const std::vector<const char*>& names) {
     const SearchResult* fastest = nullptr;
-    for (const char* name : {"hash_grid", "hash_grid_r"})
+    for (const char* name : names)
         if (const SearchResult* s = find_search(result, name))
             if (!fastest || s->total().median_s < fastest->total().median_s) fastest = s;
     return fastest;
+}
+const SearchResult* hash_grid(const CaseResult& result) {
+    return fastest_of(result, {"hash_grid", "hash_grid_r"});
 }
 
 /// "3.1 [2.9, 3.4]".
@@ -63,14 +67,18 @@ std::string in_words(const std::vector<AtContrast>& all) {
     return text;
 }
 
-/// The contrast from which on all ratios are surely above 1.
+/// The contrast from which on all ratios are surely above 1, and that up to which they are surely below.
 std::string crossover(const std::vector<AtContrast>& all) {
-    std::size_t from = all.size();
+    std::size_t from = all.size(), up_to = 0;
     while (from > 0 && all[from - 1].ratio.low > 1.0) --from;
-    if (from < all.size())
-        return fmt::format("the kd-tree is surely faster from 1:{:g} on", all[from].contrast);
-    if (all.back().ratio.high < 1.0)
+    while (up_to < all.size() && all[up_to].ratio.high < 1.0) ++up_to;
+    if (up_to == all.size())
         return fmt::format("the kd-tree is slower even at 1:{:g}", all.back().contrast);
+    const std::string below =
+        up_to == 0 ? "" : fmt::format("slower up to 1:{:g}, ", all[up_to - 1].contrast);
+    if (from < all.size())
+        return fmt::format("the kd-tree is surely {}faster from 1:{:g} on", below,
+                           all[from].contrast);
     return fmt::format("whether the kd-tree is faster at 1:{:g} cannot be told",
                        all.back().contrast);
 }
@@ -80,6 +88,23 @@ std::string radius_in_words(const Cases& cases) {
 }
 
 const SearchResult* cell_grid(const CaseResult& c) { return find_search(c, "cell_grid"); }
+
+/// The fastest grid and the fastest tree that give lists of one form.
+std::string fastest_in_words(const Cases& cases) {
+    std::string text;
+    for (const CaseResult& c : cases) {
+        const SearchResult* grid = fastest_of(c, {"cell_grid_packed", "level_grid_packed"});
+        const SearchResult* tree = fastest_of(c, {"leaf_tree_packed", "nanoflann_packed"});
+        if (c.count != largest(cases).count || !grid || !tree) continue;
+        text += fmt::format("{}{} {} at 1:{:g}", text.empty() ? "" : ", ", grid->name,
+                            in_words(ratio_of(*grid, *tree, total_cost, c.noise)),
+                            c.contrast.value_or(1.0));
+    }
+    return text.empty()
+               ? text
+               : fmt::format(" The fastest grid over the fastest tree, with lists as found: {}.",
+                             text);
+}
 
 void judge_adaptivity(const Cases& cases, std::vector<Verdict>& verdicts) {
     const std::string radius = radius_in_words(cases);
@@ -92,53 +117,35 @@ void judge_adaptivity(const Cases& cases, std::vector<Verdict>& verdicts) {
     if (!cells.empty())
         evidence += fmt::format(" The grid of sorted, occupied cells: {}; {}.", in_words(cells),
                                 crossover(cells));
+    evidence += fastest_in_words(cases);
     verdicts.push_back({fmt::format("With strongly varying density, kd-trees have advantages over "
                                     "hash grids ({})",
                                     radius),
                         word_of(hash.back().ratio), evidence});
 }
 
-const Exponent* find(const std::vector<Exponent>& all, const std::string& name) {
-    const auto found = std::ranges::find(all, name, &Exponent::search);
-    return found == all.end() ? nullptr : &*found;
-}
+std::string word_of(Told told) { return word_of(told == Told::yes, told == Told::no); }
 
-std::string in_words(const Exponent& e) {
-    return fmt::format("{} n^{:.2f} [{:.2f}, {:.2f}]", e.search, e.value, e.low, e.high);
+Told both(Told a, Told b) {
+    if (a == Told::no || b == Told::no) return Told::no;
+    return a == Told::yes && b == Told::yes ? Told::yes : Told::unknown;
 }
 
 void judge_growth(const Cases& cases, std::vector<Verdict>& verdicts) {
-    const auto build = exponents(cases, [](const Runs& runs) { return runs.build; });
-    const auto query = exponents(cases, [](const Runs& runs) { return runs.query; });
     const SearchResult* fastest = hash_grid(largest(cases));
-    const Exponent* tree = find(build, kd_tree);
-    const Exponent* grid = fastest ? find(build, fastest->name) : nullptr;
-    const Exponent* asked = fastest ? find(query, fastest->name) : nullptr;
-    if (!tree || !grid || !asked) return;
-    const std::string range = fmt::format(
-        "{} to {} points", std::ranges::min_element(cases, {}, &CaseResult::count)->count,
-        largest(cases).count);
-    const bool both = tree->allows(tree->n_log_n) && grid->allows(1.0);
-    const bool too_wide = tree->allows(1.0) || grid->allows(grid->n_log_n);
-    verdicts.push_back(
-        {"A kd-tree is built in O(n log n), a hash grid in O(n)", word_of(both && !too_wide, !both),
-         fmt::format(
-             "build times from {}: {}, {}; n log n is n^{:.2f} there. Times also grow where "
-             "the points leave a cache.",
-             range, in_words(*tree), in_words(*grid), tree->n_log_n)});
-    const CaseResult &most = largest(cases),
-                     &few = *std::ranges::min_element(cases, {}, &CaseResult::count);
-    const auto per_point = [&](const CaseResult& c) {
-        const SearchResult* s = find_search(c, fastest->name);
-        return s ? 1e9 * s->query().median_s / static_cast<double>(c.count) : NAN;
-    };
-    verdicts.push_back(
-        {"At a constant radius and an even density, a hash grid retrieves in O(1)",
-         word_of(asked->allows(1.0) && !asked->allows(asked->n_log_n), !asked->allows(1.0)),
-         fmt::format("query of all points from {}: {}; n^1 is O(1) for each, n^{:.2f} O(log n). "
-                     "{:.0f} ns per point at {}, {:.0f} at {}.",
-                     range, in_words(*asked), asked->n_log_n, per_point(few), few.count,
-                     per_point(most), most.count)});
+    if (!fastest || !find_search(largest(cases), kd_tree)) return;
+    const auto tree = growth(cases, kd_tree, Phase::build);
+    const auto grid = growth(cases, fastest->name, Phase::build);
+    verdicts.push_back({"A kd-tree is built in O(n log n), a hash grid in O(n)",
+                        word_of(both(follows(tree, Law::n_log_n), follows(grid, Law::linear))),
+                        fmt::format("build times, apart for each kind of memory that holds what is "
+                                    "built: {}; {}.",
+                                    in_words(kd_tree, tree), in_words(fastest->name, grid))});
+    const auto asked = growth(cases, fastest->name, Phase::query);
+    verdicts.push_back({"At a constant radius and an even density, a hash grid retrieves in O(1)",
+                        word_of(follows(asked, Law::linear)),
+                        fmt::format("queries of all points, of which n^1 is O(1) for each: {}.",
+                                    in_words(fastest->name, asked))});
 }
 
 void judge_even_density(const CaseResult& result, std::vector<Verdict>& verdicts) {
@@ -165,6 +172,31 @@ void judge_even_density(const CaseResult& result, std::vector<Verdict>& verdicts
                      result.count, 100.0 * verification::median(share(tree->runs)),
                      100.0 * verification::median(share(grid->runs)), in_words(shares))});
 }
+/// Of moving points: how much a search spends on sorting, and so what a partial re-sort can save at most.
+void judge_sorting(const Cases& cases, std::vector<Verdict>& verdicts) {
+    std::string evidence;
+    bool all_more = true, all_less = true;
+    for (const CaseResult& c : cases) {
+        const SearchResult* s = find_search(c, "cell_grid_packed");
+        if (!s || s->runs.update.empty()) continue;
+        const Ratio share = ratio_of(s->runs.update, s->runs.step(), c.noise);
+        all_more &= share.low > 0.5;
+        all_less &= share.high < 0.5;
+        evidence += fmt::format("{}{:.0f} [{:.0f}, {:.0f}] % of a step with {:g} % moved",
+                                evidence.empty() ? "" : ", ", 100.0 * share.value,
+                                100.0 * share.low, 100.0 * share.high, 100.0 * c.moved);
+    }
+    if (evidence.empty()) return;
+    verdicts.push_back(
+        {"Most of a step of moving points is sorting them into cells anew (so that sorting only "
+         "those "
+         "that changed cell would pay)",
+         word_of(all_more, all_less),
+         fmt::format(
+             "cell_grid_packed sorts all points in {} ({} points); a partial sort can save no "
+             "more than that, whatever it costs itself.",
+             evidence, largest(cases).count)});
+}
 }  // namespace
 
 std::string crossover_in_words(const std::vector<CaseResult>& cases) {
@@ -186,6 +218,7 @@ std::vector<Verdict> verdicts_on_section_5_3(const SearchStudyResult& study) {
     std::vector<Verdict> verdicts;
     if (study.name == "contrast" || study.name == "own_radii")
         judge_adaptivity(study.cases, verdicts);
+    if (study.name == "moved") judge_sorting(study.cases, verdicts);
     if (study.name == "size") {
         judge_growth(study.cases, verdicts);
         judge_even_density(largest(study.cases), verdicts);

@@ -69,9 +69,11 @@ std::string ratio_in_words(const Json& search) {
 }
 
 Json row_of(const Json& search, const Json& count) {
-    const bool agrees = search["wrong_pairs"] == 0;
+    const bool agrees = search["wrong_pairs"] == 0, left_out = search.value("left_out", "") != "";
     Json row = {{"search", search["search"]},
-                {"agrees", agrees ? "agrees" : "wrong pairs: not timed"},
+                {"agrees", left_out ? "left out"
+                           : agrees ? "agrees"
+                                    : "wrong pairs: not timed"},
                 {"class", agrees ? "ok" : "bad"},
                 {"build", per_point(search, "build", count)},
                 {"query", per_point(search, "query", count)},

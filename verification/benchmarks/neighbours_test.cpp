@@ -1,4 +1,5 @@
 #include "benchmarks/neighbours/agreement.h"
+#include "benchmarks/neighbours/growth.h"
 #include "benchmarks/neighbours/local_radii.h"
 #include "benchmarks/neighbours/particle_order.h"
 #include "benchmarks/neighbours/verdicts.h"
@@ -139,11 +140,48 @@ TEST_CASE("exponents are those of the times, and n log n is told from n") {
     CHECK(verdicts_on_section_5_3(reversed)[0].word == "does not hold");
 }
 
+TEST_CASE("growth is judged apart for each kind of memory, and only where laws can be told apart") {
+    auto study = over_size([](double n) { return 1e-9 * n * std::log(n); },
+                           [](double n) { return 1e-8 * n; });
+    for (CaseResult& c : study.cases)
+        for (SearchResult& s : c.searches)
+            s.held_bytes = c.count < 100000 ? 0 : std::size_t{1} << 40;
+    CHECK(growth(study.cases, "hash_grid", Phase::build).empty());  // two sizes here, two there
+    CHECK(verdicts_on_section_5_3(study)[0].word == "cannot be told");
+    const auto fits = [](double low, double high) {
+        return GrowthIn{"", 10, 100, {"", 0.5 * (low + high), low, high, 1.1}};
+    };
+    CHECK(follows({fits(0.98, 1.02)}, Law::linear) == Told::yes);
+    CHECK(follows({fits(0.98, 1.02), fits(0.9, 1.3)}, Law::linear) == Told::yes);
+    CHECK(follows({fits(0.9, 1.3)}, Law::linear) == Told::unknown);
+    CHECK(follows({fits(0.98, 1.02), fits(1.2, 1.3)}, Law::linear) == Told::unknown);
+    CHECK(follows({fits(1.2, 1.3), fits(1.2, 1.3)}, Law::linear) == Told::no);
+    CHECK(follows({}, Law::linear) == Told::unknown);
+}
+
+TEST_CASE("sorting is judged by its share of a step") {
+    const auto word_for = [](double share, double scatter) {
+        CaseResult c = result_of({search("cell_grid_packed", 1.0)});
+        c.moved = 0.1;
+        for (int round = 0; round < 10; ++round) {
+            const double update = share + scatter * (round % 2 == 0 ? 1.0 : -1.0);
+            c.searches[0].runs.update.push_back(update);
+            c.searches[0].runs.requery.push_back(1.0 - update);
+        }
+        return verdicts_on_section_5_3({"moved", "", {c}}).at(0).word;
+    };
+    CHECK(word_for(0.1, 0.01) == "does not hold");
+    CHECK(word_for(0.8, 0.01) == "holds");
+    CHECK(word_for(0.5, 0.1) == "cannot be told");
+}
+
 TEST_CASE("the crossover is the contrast from which on the kd-tree is surely faster") {
     const auto crossed = over_contrast({0.5, 2.0, 0.9, 1.5, 3.0});
     CHECK(verdicts_on_section_5_3(crossed)[0].word == "holds");
     CHECK(crossover_in_words(crossed.cases) ==
-          "One radius for all: beside the hash grid, the kd-tree is surely faster from 1:1000 on");
+          "One radius for all: beside the hash grid, the kd-tree is surely slower up to 1:1, "
+          "faster from "
+          "1:1000 on");
     const auto never = over_contrast({0.5, 0.6, 0.7});
     CHECK(verdicts_on_section_5_3(never)[0].word == "does not hold");
     CHECK(crossover_in_words(never.cases).ends_with("the kd-tree is slower even at 1:100"));
