@@ -9,7 +9,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <ranges>
 
@@ -163,7 +162,7 @@ Chart contrast_chart(const Cases& cases) {
 /// Time per point over something with names, one row each.
 Chart rows_chart(const Cases& cases, const std::string& what,
                  const std::function<std::string(const CaseResult&)>& name_of) {
-    Chart chart{.finding = "",
+    Chart chart{.finding = wins_in_words(cases),
                 .x = {"build and query, per point", "ns", true},
                 .y = {what, "", false},
                 .series = {},
@@ -171,20 +170,7 @@ Chart rows_chart(const Cases& cases, const std::string& what,
                                        cases.front().dim, how_measured(cases.front())),
                 .alt = "",
                 .command = ""};
-    std::map<std::string, std::size_t> wins;
-    std::size_t ties = 0;
     for (const CaseResult& c : cases | std::views::reverse) chart.y.names.push_back(name_of(c));
-    for (const CaseResult& c : cases) {
-        const Standing standing = standing_of(c);
-        if (standing.best.size() == 1) ++wins[standing.best.front()->name];
-        if (standing.best.size() > 1) ++ties;
-    }
-    for (const auto& [name, n] : wins)
-        chart.finding += fmt::format("{}{} is the fastest in {} of {}",
-                                     chart.finding.empty() ? "" : ", ", name, n, cases.size());
-    if (ties > 0)
-        chart.finding += fmt::format("{}in {} of {} the fastest cannot be told",
-                                     wins.empty() ? "" : "; ", ties, cases.size());
     add_searches(cases, chart, [&](const CaseResult& c, const SearchResult& s) {
         const auto row = static_cast<double>(cases.data() + cases.size() - &c);
         const auto rank = static_cast<double>(&s - c.searches.data());
@@ -217,8 +203,8 @@ Chart queries_chart(const CaseResult& c) {
         std::string now;
         for (const SearchResult* s : standing.best) now += (now.empty() ? "" : " or ") + s->name;
         if (now != before)
-            chart.finding += fmt::format("{}from {:g} queries per build on {}",
-                                         chart.finding.empty() ? "" : ", ", queries, now);
+            chart.finding += fmt::format("{}{} from {:g} queries per build on",
+                                         chart.finding.empty() ? "" : ", ", now, queries);
         before = now;
         for (Chart::Series& series : chart.series) {
             const SearchResult *s = find_search(c, series.name), *best = standing.best.front();
@@ -236,14 +222,14 @@ Chart queries_chart(const CaseResult& c) {
 
 Chart radius_chart(const Cases& cases) {
     const CaseResult& widest = *std::ranges::max_element(cases, {}, &CaseResult::spacings);
-    Chart chart{
-        .finding = fmt::format("r = {:g} spacings: {}", widest.spacings, recommendation(widest)),
-        .x = {"radius", "spacings", false},
-        .y = {"build and query, per point", "ns", true},
-        .series = {},
-        .caption = fmt::format("{} points. {}", widest.count, how_measured(widest)),
-        .alt = "",
-        .command = ""};
+    Chart chart{.finding = fmt::format("Over the radius, up to {:g} spacings: {}", widest.spacings,
+                                       wins_in_words(cases)),
+                .x = {"radius", "spacings", false},
+                .y = {"build and query, per point", "ns", true},
+                .series = {},
+                .caption = fmt::format("{} points. {}", widest.count, how_measured(widest)),
+                .alt = "",
+                .command = ""};
     add_searches(cases, chart, [](const CaseResult& c, const SearchResult& s) {
         return std::optional<Place>(
             {exactly(c.spacings), estimate(nanoseconds_per_point(s.runs.total(), c))});

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace reports {
@@ -43,24 +42,11 @@ void add_cells(const std::vector<Cell>& cells, Chart& chart) {
     }
 }
 
-std::string winners_in_words(const std::vector<Cell>& cells) {
-    std::map<std::string, std::size_t> wins;
-    std::size_t ties = 0;
-    for (const Cell& cell : cells) {
-        if (cell.standing.best.size() == 1)
-            ++wins[cell.standing.best.front()->name];
-        else
-            ++ties;
-    }
-    std::string text;
-    for (const auto& [name, n] : wins)
-        text += fmt::format("{}{} wins {} of {}", text.empty() ? "" : ", ", name, n, cells.size());
-    if (ties > 0)
-        text += fmt::format("{}in {} of {} the fastest cannot be told", text.empty() ? "" : ", ",
-                            ties, cells.size());
-    return text;
+std::string wins_in_words(const std::vector<Cell>& cells) {
+    std::vector<Standing> standings;
+    for (const Cell& cell : cells) standings.push_back(cell.standing);
+    return reports::wins_in_words(standings);
 }
-
 }  // namespace
 
 Chart contrast_map(const Cases& cases) {
@@ -70,14 +56,15 @@ Chart contrast_map(const Cases& cases) {
         if (!standing.best.empty())
             cells.push_back({*c.contrast, static_cast<double>(c.count), standing});
     }
-    const char* radius = cases.front().own_radii ? "own radii" : "one radius";
+    const char* radius =
+        cases.front().own_radii ? "a radius of each point's own" : "one radius for all";
     Chart chart{
-        .finding = fmt::format("Density contrast, {}: {}", radius, winners_in_words(cells)),
+        .finding = fmt::format("Over the density contrast, {}: {}", radius, wins_in_words(cells)),
         .x = {"highest over lowest number density", "1", true},
         .y = {"points", "1", true},
         .series = {},
-        .caption = fmt::format("The fastest to build and query, and by what factor over which "
-                               "next. {}",
+        .caption = fmt::format("The fastest to build and query, and by what factor the next one "
+                               "takes longer. {}",
                                how_measured(largest(cases))),
         .alt = "",
         .command = ""};
@@ -94,17 +81,16 @@ Chart moved_map(const Cases& cases) {
             if (!standing.best.empty()) cells.push_back({queries, 100.0 * c.moved, standing});
         }
     const CaseResult& c = cases.front();
-    Chart chart{
-        .finding = fmt::format("Moving points: {}", winners_in_words(cells)),
-        .x = {"queries of all points per update", "1", true},
-        .y = {"points moved per update", "%", true},
-        .series = {},
-        .caption = fmt::format(
-            "{} points. The fastest to update and query, and by what factor over the next; a "
-            "search without an update of its own is built anew. {}",
-            c.count, how_measured(c)),
-        .alt = "",
-        .command = ""};
+    Chart chart{.finding = fmt::format("Moving points: {}", wins_in_words(cells)),
+                .x = {"queries of all points per update", "1", true},
+                .y = {"points moved per update", "%", true},
+                .series = {},
+                .caption = fmt::format("{} points. The fastest to update and query, and by what "
+                                       "factor the next one takes longer; a "
+                                       "search without an update of its own is built anew. {}",
+                                       c.count, how_measured(c)),
+                .alt = "",
+                .command = ""};
     add_cells(cells, chart);
     return chart;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace reports {
 
@@ -24,6 +25,36 @@ Estimate exactly(double value) { return {value, {value, value}}; }
 std::vector<double> nanoseconds_per_point(std::vector<double> seconds, const CaseResult& c) {
     for (double& s : seconds) s *= 1e9 / static_cast<double>(c.count);
     return seconds;
+}
+
+std::string wins_in_words(const std::vector<Standing>& standings) {
+    std::map<std::string, std::vector<double>> margins;  // of each winner
+    std::size_t ties = 0;
+    for (const Standing& s : standings) {
+        if (s.best.size() == 1)
+            margins[s.best.front()->name].push_back(s.next ? s.margin.value : 0.0);
+        else
+            ++ties;
+    }
+    std::string text;
+    for (const auto& [name, all] : margins) {
+        const auto [least, most] = std::ranges::minmax(all);
+        text += fmt::format("{}{} is the fastest in {} of {}", text.empty() ? "" : ", ", name,
+                            all.size(), standings.size());
+        if (least > 0.0) text += fmt::format(", by {:.2g}x", least);
+        if (least > 0.0 && most > least) text += fmt::format(" to {:.2g}x", most);
+    }
+    if (ties > 0)
+        text += fmt::format("{}in {} of {} the fastest cannot be told", text.empty() ? "" : "; ",
+                            ties, standings.size());
+    return text;
+}
+
+std::string wins_in_words(const Cases& cases) {
+    std::vector<Standing> standings;
+    for (const CaseResult& c : cases)
+        if (Standing s = standing_of(c); !s.best.empty()) standings.push_back(std::move(s));
+    return wins_in_words(standings);
 }
 
 std::string how_measured(const CaseResult& c) {

@@ -24,6 +24,10 @@ Estimate exactly(double value);
 std::vector<double> nanoseconds_per_point(std::vector<double> seconds,
                                           const benchmarks::CaseResult& c);
 
+/// "cell_grid is the fastest in 7 of 9, by 1.5x to 2.2x; in 2 of 9 the fastest cannot be told".
+std::string wins_in_words(const std::vector<benchmarks::Standing>& standings);
+std::string wins_in_words(const NeighbourCases& cases);
+
 /// The part of a caption that says what the numbers are.
 std::string how_measured(const benchmarks::CaseResult& c);
 

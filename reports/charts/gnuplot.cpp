@@ -61,6 +61,9 @@ Frame frame_of(const Chart& chart) {
     if (frame.y.low > frame.y.high) frame.y.low = 0.0, frame.y.high = 1.0;  // only failures
     frame.x.widen();
     frame.y.widen();
+    constexpr double share_of_label = 0.1;  // they stand to the right of their points
+    if (std::ranges::any_of(chart.series, [](const auto& s) { return !s.labels.empty(); }))
+        frame.x.high += share_of_label * (frame.x.high - frame.x.low);
     return frame;
 }
 
