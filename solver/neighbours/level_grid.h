@@ -83,6 +83,10 @@ private:
         near.resize(0);
         for (std::size_t l = 0; l < windows.size(); ++l) {
             const auto block = block_around(box, group.radius, l);
+            if (is_large(block, l)) {
+                append_from(0, points_.level(l).points, near);
+                continue;
+            }
             windows[l].points.move_to(block);
             windows[l].points.append(near);
             if (l >= own && is_the_last(block, l, windows)) break;
@@ -92,8 +96,13 @@ private:
     /// Of its own level those from its first on, and those of later levels.
     void gather_later(const Group& group, const Corners& box, std::size_t own,
                       std::vector<LevelWindows>& windows, Candidates<Dim, Real>& near) const {
+        near.resize(0);
         for (std::size_t l = own; l < windows.size(); ++l) {
             const auto block = block_around(box, group.radius, l);
+            if (is_large(block, l)) {
+                append_from(l == own ? group.first : 0, points_.level(l).points, near);
+                continue;
+            }
             windows[l].points.move_to(block);
             if (l == own)
                 windows[l].points.gather_from(group.first, near);
@@ -107,6 +116,27 @@ private:
                             std::vector<LevelWindows>& windows) {
         windows[l].crowded.move_to(block);
         return windows[l].crowded.is_empty();
+    }
+    /// Whether a block has more rows than there are in the level: then all points of the level are taken.
+    bool is_large(const CellBlock<Dim>& block, std::size_t l) const {
+        constexpr double few = 64.0;
+        double rows = 1.0;
+        for (int axis = 1; axis < Dim; ++axis) {
+            const std::int64_t cells = points_.level(l).frame.cells(axis);
+            std::int64_t first = block.first[axis], last = block.last[axis];
+            if (!Space::is_periodic)
+                first = std::max<std::int64_t>(first, 0), last = std::min(last, cells - 1);
+            rows *= static_cast<double>(std::min(cells, last - first + 1));
+        }
+        return rows > std::max(few, static_cast<double>(points_.level(l).points.rows()));
+    }
+    static void append_from(Index first, const typename Order::Cells& points,
+                            Candidates<Dim, Real>& near) {
+        const std::size_t to = near.size(), n = points.size() - first;
+        near.resize(to + n);
+        for (int axis = 0; axis < Dim; ++axis)
+            std::copy_n(points.x(axis) + first, n, near.x(axis) + to);
+        std::copy_n(points.order() + first, n, near.id() + to);
     }
     /// The cells of a level within reach of a group's box.
     CellBlock<Dim> block_around(const Corners& box, double radius, std::size_t l) const {

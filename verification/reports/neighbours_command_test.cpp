@@ -85,7 +85,7 @@ TEST_CASE("plumbline neighbours says what an option must be") {
         {{"--points", "three.csv", "--radii", "h"},
          "expected a column \"h\", found coordinates only"},
         {{"--points", "zero.csv", "--radii"}, "found 0 (column \"r\", point 2)"},
-        {{"--points", "zero.csv", "--radii", "--radius", "1"}, "--radii excludes --radius"},
+        {{"--points", "zero.csv", "--radii", "--radius", "1"}, "--radius excludes --radii"},
         {{"--radii", "r"}, "--radii requires --points"},
         {{"--cloud", "sphere"}, "sphere not in {jittered,"},
         {{"--order", "sideways"}, "sideways not in {as_given,"},
