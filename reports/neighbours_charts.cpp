@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 namespace reports {
 
@@ -170,7 +169,7 @@ Chart rows_chart(const Cases& cases, const std::string& what,
                                        cases.front().dim, how_measured(cases.front())),
                 .alt = "",
                 .command = ""};
-    for (const CaseResult& c : cases | std::views::reverse) chart.y.names.push_back(name_of(c));
+    for (auto c = cases.rbegin(); c != cases.rend(); ++c) chart.y.names.push_back(name_of(*c));
     add_searches(cases, chart, [&](const CaseResult& c, const SearchResult& s) {
         const auto row = static_cast<double>(cases.data() + cases.size() - &c);
         const auto rank = static_cast<double>(&s - c.searches.data());

@@ -94,8 +94,7 @@ public:
             visit.push_back(hash<Dim>(grid_.image(cell), buckets()));
         });
         std::ranges::sort(visit);
-        const auto repeated = std::ranges::unique(visit);
-        visit.erase(repeated.begin(), repeated.end());
+        visit.erase(std::unique(visit.begin(), visit.end()), visit.end());
         for (const std::size_t b : visit) bucket(first_[b], first_[b + 1]);
     }
 

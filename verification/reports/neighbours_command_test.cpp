@@ -130,7 +130,7 @@ TEST_CASE("every study has a chart, also where nothing can be told") {
     benchmarks::ComparisonOptions how;
     how.least = how.most = 1;
     how.searches = {"cell_grid", "kd_tree"};
-    for (auto study : benchmarks::search_studies(benchmarks::Level::quick)) {
+    for (const auto& study : benchmarks::search_studies(benchmarks::Level::quick)) {
         INFO(study.name);
         benchmarks::SearchStudyResult result{study.name, study.question, {}};
         for (benchmarks::SearchSituation s : study.situations) {
