@@ -108,8 +108,9 @@ const Register closed_for_fields{in_dimensions<2, 3>([]<int Dim>() {
         .id = "cell_table.closed_for_random_fields",
         .source = {Paper::literature, "Lorensen and Cline 1987"},
         .says =
-            "20 fields of random values on 9^dim nodes have closed surfaces: faults; not with "
-            "complementary cases turned inside out, as printed there, which leaves holes",
+            "20 fields of random values on 9^dim nodes have closed surfaces: faults; in space "
+            "not with complementary cases turned inside out, by which there are only 15 in 1987 "
+            "and holes between them; in the plane not if one facet ends on a wrong edge",
         .bound = at_most(0.0, a_count),
         .measure = [] { return faults_of_random_fields(cell_table<Dim>()); },
         .sabotaged =
