@@ -88,7 +88,8 @@ public:
     ViscousLimit viscous_limit() const {
         const double artificial =
             file_.alpha * file_.speed_of_sound * 0.5 * w_.support() / (2.0 * (Dim + 2));
-        return {std::max(file_.mu / file_.density, artificial), w_.support()};
+        const double fraction = file_.viscosity == ViscosityForm::monaghan ? 0.025 : 0.04;
+        return {std::max(file_.mu / file_.density, artificial), w_.support(), fraction};
     }
     ForceLimit<Dim> force_limit() const { return {w_.support()}; }
 
