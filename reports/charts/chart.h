@@ -30,6 +30,8 @@ struct Chart {
         std::optional<int> style = {};         // the index to take instead of its own
         std::vector<std::string> labels = {};  // beside each point; empty: none
         std::vector<Outline> outlines = {};    // closed curves around its points: their spread
+        bool markers = true;                   // on the line; without them it is a curve
+        bool in_key = true;                    // the legend names it
     };
     std::string finding;  // the title: "MLS-2 is 40x cheaper than SPH at 1e-4"
     Axis x, y;

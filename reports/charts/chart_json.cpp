@@ -52,6 +52,8 @@ Json json_of(const Chart::Series& s) {
     for (const Chart::Outline& o : s.outlines)
         json["outlines"].push_back({{"x", numbers(o.x)}, {"y", numbers(o.y)}});
     if (s.style) json["style"] = *s.style;
+    if (!s.markers) json["markers"] = false;
+    if (!s.in_key) json["in_key"] = false;
     return json;
 }
 Chart::Series series_from(const Json& json) {
@@ -64,7 +66,9 @@ Chart::Series series_from(const Json& json) {
                     .joined = json["joined"],
                     .style = {},
                     .labels = json.value("labels", std::vector<std::string>{}),
-                    .outlines = {}};
+                    .outlines = {},
+                    .markers = json.value("markers", true),
+                    .in_key = json.value("in_key", true)};
     for (const Json& o : json.value("outlines", Json::array()))
         s.outlines.push_back({values_of(o["x"]), values_of(o["y"])});
     if (json.contains("style")) s.style = json["style"].get<int>();

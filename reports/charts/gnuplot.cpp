@@ -180,7 +180,7 @@ std::vector<std::string> plots_of(const Chart::Series& s, int index, const Block
     const std::string point =
         fmt::format("lc rgb '{}' pt {} ps {}", style.colour, style.marker, size);
     const std::string bar = fmt::format("lc rgb '{}' lw 1 notitle", style.colour);
-    const std::string title = fmt::format("title {}", string_of(s.name));
+    const std::string title = s.in_key ? fmt::format("title {}", string_of(s.name)) : "notitle";
     const std::string data = fmt::format("$inside{}", index);
     std::vector<std::string> plots;
     if (blocks.inside.find_first_not_of('\n') != std::string::npos) {
@@ -188,10 +188,13 @@ std::vector<std::string> plots_of(const Chart::Series& s, int index, const Block
             plots.push_back(data + " using 1:2:3:4 with xerrorbars pt 0 " + bar);
         if (!s.y_range.empty())
             plots.push_back(data + " using 1:2:5:6 with yerrorbars pt 0 " + bar);
-        plots.push_back(s.joined
-                            ? fmt::format("{} using 1:2 with linespoints {} pt {} ps 0.8 {}", data,
-                                          line, style.marker, title)
-                            : fmt::format("{} using 1:2 with points {} {}", data, point, title));
+        if (s.joined && !s.markers)
+            plots.push_back(fmt::format("{} using 1:2 with lines {} {}", data, line, title));
+        else
+            plots.push_back(
+                s.joined ? fmt::format("{} using 1:2 with linespoints {} pt {} ps 0.8 {}", data,
+                                       line, style.marker, title)
+                         : fmt::format("{} using 1:2 with points {} {}", data, point, title));
         if (!s.labels.empty())
             plots.push_back(data + " using 1:2:7 with labels left offset 1.2,0 noenhanced notitle");
     } else {
@@ -242,7 +245,8 @@ struct Key {
 };
 Key key_of(const Chart& chart) {
     std::size_t longest = 0;
-    for (const Chart::Series& s : chart.series) longest = std::max(longest, s.name.size());
+    for (const Chart::Series& s : chart.series)
+        if (s.in_key) longest = std::max(longest, s.name.size());
     if (longest <= 30) return {};
     return {"below maxcols 1", 20 * chart.series.size()};
 }
