@@ -1,6 +1,5 @@
 #include "reports/approximation/point_values.h"
 
-#include "reports/approximation/any_kernel.h"
 #include "solver/approximation/density.h"
 #include "solver/approximation/mlsph_shape.h"
 #include "solver/approximation/mueller_gradient.h"
@@ -10,6 +9,7 @@
 #include "solver/neighbours/cell_grid.h"
 
 #include "solver/kernels/all_kernels.h"
+#include "verification/framework/any_kernel.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +19,7 @@
 namespace reports {
 namespace {
 using namespace plumbline;
+using verification::AnyKernel;
 
 /// A shape method whose kernel and order are forgotten, so that one loop serves all of them.
 template <int Dim> struct AnyShape {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace reports {
+namespace verification {
 
 /// A kernel whose type is forgotten, for a name chosen at run time: one instantiation of each
 /// method serves all kernels, for a virtual call at each neighbour.
@@ -43,4 +43,4 @@ private:
     std::shared_ptr<const Interface> kernel_;
 };
 
-}  // namespace reports
+}  // namespace verification
