@@ -6,6 +6,7 @@
 #include "solver/particles/samplings.h"
 #include "verification/framework/registry.h"
 #include "verification/framework/traceability.h"
+#include "verification/stability/map.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -80,6 +81,7 @@ struct Kind {
 };
 constexpr Kind kinds[] = {{"claims", [] { return described(verification::claims()); }},
                           {"studies", [] { return described(verification::studies()); }},
+                          {"maps", [] { return described(verification::maps()); }},
                           {"errata", errata},
                           {"statements", statements},
                           {"kernels", kernels},
@@ -104,7 +106,7 @@ ExitCode list(const Options& options) {
 }
 
 const RegisterCommand command{
-    {"list", "what there is: claims, studies, errata, statements, kernels, samplings, scenes",
+    {"list", "what there is: claims, studies, maps, errata, statements, kernels, samplings, scenes",
      [](CLI::App& app) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
          std::vector<std::string> names;

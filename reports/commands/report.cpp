@@ -40,6 +40,7 @@ ExitCode judge(const Json& report) {
         if (study.contains("error")) return ExitCode::check_failed;
         for (const Json& series : study["series"]) verdicts.push_back(series["verdict"]);
     }
+    for (const Json& map : report.value("maps", Json::array())) verdicts.push_back(map["verdict"]);
     const auto any = [&](const char* colour) {
         return std::ranges::any_of(verdicts,
                                    [&](const auto& v) { return colour_class(v) == colour; });

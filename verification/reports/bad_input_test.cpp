@@ -181,6 +181,9 @@ const std::vector<BadInput> table{
     {{"frontier", "everything"}, "everything"},
     {{"frontier", "gradient", "-o", "good.csv"}, "found \"good.csv\": that is a file"},
 
+    {{"stability", "-o", "good.csv"}, "found \"good.csv\": that is a file"},
+    {{"stability", "--json", "nowhere/a.json"}, "nowhere/a.json"},
+
     {{"compare"}, "is required"},
     {{"compare", "nowhere.json", "list.json"}, "nowhere.json: expected a file that can be read"},
     {{"compare", "cut.json", "cut.json"}, "cut.json:1:45: expected JSON, as --json writes it"},

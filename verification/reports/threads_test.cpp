@@ -71,6 +71,9 @@ TEST_CASE("apart from times frontiers do not depend on the number of threads, no
     check_that_results_are_equal({"frontier", "--quick", "approximation", "--dim", "2"},
                                  "frontiers");
 }
+TEST_CASE("maps of stability do not depend on the number of threads, nor on the run") {
+    check_that_results_are_equal({"stability", "--quick", "pairing"}, "maps");
+}
 TEST_CASE("apart from times searches do not depend on the number of threads, nor on the run") {
     check_that_results_are_equal({"neighbours", "--quick", "--count", "2000", "--cloud", "graded"},
                                  "neighbours");
