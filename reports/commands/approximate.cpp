@@ -3,7 +3,6 @@
 #include "solver/io/csv.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <iostream>
@@ -117,22 +116,23 @@ ExitCode run(const Options& options) {
 
 const RegisterCommand command{
     {"approximate", "a field given at samples, its gradient and its Laplacian, at other points",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("--samples", options->samples,
-                        "points with the field in column f, masses in m (1 if left out): CSV, XYZ, "
-                        "PLY or VTP")
-             ->required();
-         app.add_option("--at", options->at, "the points to evaluate at")->required();
-         app.add_option("--method", options->method,
-                        "sph, shepard, mls:N, mlsph:N (N = 0..3) or mueller (at samples only)")
-             ->required();
-         app.add_option("--kernel", options->kernel, "name of the kernel")->required();
-         app.add_option("--support", options->support, "radius beyond which the kernel is zero")
-             ->required();
-         app.add_option("--field", options->field, "column of the samples, if it is not f");
-         app.add_option("--mass", options->mass, "column of the masses, if it is not m");
-         app.add_flag("--json", options->json, "as JSON");
+         line.add_option(
+                 "--samples", options->samples,
+                 "points with the field in column f, masses in m (1 if left out): CSV, XYZ, "
+                 "PLY or VTP")
+             .required();
+         line.add_option("--at", options->at, "the points to evaluate at").required();
+         line.add_option("--method", options->method,
+                         "sph, shepard, mls:N, mlsph:N (N = 0..3) or mueller (at samples only)")
+             .required();
+         line.add_option("--kernel", options->kernel, "name of the kernel").required();
+         line.add_option("--support", options->support, "radius beyond which the kernel is zero")
+             .required();
+         line.add_option("--field", options->field, "column of the samples, if it is not f");
+         line.add_option("--mass", options->mass, "column of the masses, if it is not m");
+         line.add_flag("--json", options->json, "as JSON");
          return [options] { return run(*options); };
      }}};
 }  // namespace

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 bool may_write(const fs::path& path) { return access(path.c_str(), W_OK) == 0; }
 }  // namespace
 
-CLI::Validator positive_number() {
+Check positive_number() {
     return {[](const std::string& text) -> std::string {
                 char* end = nullptr;
                 const double value = std::strtod(text.c_str(), &end);
@@ -26,7 +26,7 @@ CLI::Validator positive_number() {
             "POSITIVE"};
 }
 
-CLI::Validator output_file() {
+Check output_file() {
     return {[](const std::string& text) -> std::string {
                 std::error_code no;
                 const fs::path path(text), folder = fs::absolute(path, no).parent_path();
@@ -44,7 +44,7 @@ CLI::Validator output_file() {
             "FILE"};
 }
 
-CLI::Validator output_folder() {
+Check output_folder() {
     return {[](const std::string& text) -> std::string {
                 std::error_code no;
                 const auto refused = [&](const char* why) {

@@ -1,12 +1,10 @@
 #pragma once
 
+#include "reports/commands/command_line.h"
+
 #include <functional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace reports {
 
@@ -19,13 +17,13 @@ enum class ExitCode {
     interrupted = 130
 };
 
-/// One command of the program. `declare` adds its options to the subcommand and returns what to run
+/// One command of the program. `declare` adds its options to the line and returns what to run
 /// once they are parsed; that may throw plumbline::InvalidInput, which becomes exit code 2.
 /// Data goes to stdout, talk to stderr.
 struct Command {
     std::string name;
     std::string description;
-    std::function<std::function<ExitCode()>(CLI::App&)> declare;
+    std::function<std::function<ExitCode()>(CommandLine&)> declare;
 };
 
 /// All registered commands, by name.

@@ -6,7 +6,6 @@
 #include "reports/read_json.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -44,17 +43,16 @@ ExitCode compare_files(const Options& options) {
 
 const RegisterCommand command{
     {"compare", "what became better or worse between two results in JSON",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("old", options->before,
-                        "a result of verify, converge, neighbours, report …")
-             ->required();
-         app.add_option("new", options->now, "a later one")->required();
-         app.add_flag("--all", options->all, "list what is the same, too");
-         app.add_option("--json", options->json, "write the changes to this file, - for stdout")
-             ->expected(0, 1)
-             ->default_str("-")
-             ->check(output_file());
+         line.add_option("old", options->before,
+                         "a result of verify, converge, neighbours, report …")
+             .required();
+         line.add_option("new", options->now, "a later one").required();
+         line.add_flag("--all", options->all, "list what is the same, too");
+         line.add_option("--json", options->json, "write the changes to this file, - for stdout")
+             .alone_means("-")
+             .check(output_file());
          return [options] { return compare_files(*options); };
      }}};
 }  // namespace

@@ -7,7 +7,6 @@
 #include "reports/words.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -97,24 +96,23 @@ ExitCode converge(const Options& options) {
 
 const RegisterCommand command{
     {"converge", "run the convergence studies: orders with intervals, charts",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("pattern", options->patterns,
-                        "part of an id, or with the wildcards of a shell; all if none is given");
-         app.add_option("--tag", options->tag, "only studies with this tag");
-         app.add_flag("--quick", options->quick, "only the coarser levels");
-         app.add_option("-o,--output", options->folder,
-                        "write a chart (SVG, PNG) and a table (CSV) of each study to this "
-                        "folder; a run that was interrupted continues from what is there")
-             ->check(output_folder());
-         app.add_option("--json", options->json, "write the results to this file, - for stdout")
-             ->expected(0, 1)
-             ->default_str("-")
-             ->check(output_file());
-         app.add_option("--time-limit", options->seconds_per_study,
-                        "seconds that one study may take")
-             ->check(positive_number())
-             ->capture_default_str();
+         line.add_option("pattern", options->patterns,
+                         "part of an id, or with the wildcards of a shell; all if none is given");
+         line.add_option("--tag", options->tag, "only studies with this tag");
+         line.add_flag("--quick", options->quick, "only the coarser levels");
+         line.add_option("-o,--output", options->folder,
+                         "write a chart (SVG, PNG) and a table (CSV) of each study to this "
+                         "folder; a run that was interrupted continues from what is there")
+             .check(output_folder());
+         line.add_option("--json", options->json, "write the results to this file, - for stdout")
+             .alone_means("-")
+             .check(output_file());
+         line.add_option("--time-limit", options->seconds_per_study,
+                         "seconds that one study may take")
+             .check(positive_number())
+             .show_default();
          return [options] { return converge(*options); };
      }}};
 }  // namespace

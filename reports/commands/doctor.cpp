@@ -5,7 +5,6 @@
 #include "reports/process.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -86,12 +85,11 @@ ExitCode doctor(const std::string& json) {
 
 const RegisterCommand command{
     {"doctor", "the machine, the versions, what is missing, and the noise floor of times",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto json = std::make_shared<std::string>();
-         app.add_option("--json", *json, "write it to this file, - for stdout")
-             ->expected(0, 1)
-             ->default_str("-")
-             ->check(output_file());
+         line.add_option("--json", *json, "write it to this file, - for stdout")
+             .alone_means("-")
+             .check(output_file());
          return [json] { return doctor(*json); };
      }}};
 }  // namespace

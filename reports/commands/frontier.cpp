@@ -5,7 +5,6 @@
 #include "reports/interrupt.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -80,23 +79,21 @@ ExitCode frontier(const Options& options) {
 
 const RegisterCommand command{
     {"frontier", "error against time of every method for a task, and the Pareto front",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("task", options->tasks, "approximation, gradient, laplacian")
-             ->capture_default_str();
-         app.add_option("--dim", options->dims, "2, 3, or both")
-             ->delimiter(',')
-             ->allow_extra_args(false)
-             ->check(CLI::IsMember({2, 3}))
-             ->capture_default_str();
-         app.add_flag("--quick", options->quick, "fewer supports, samples and repetitions");
-         app.add_option("--json", options->json, "write the results to this file, - for stdout")
-             ->expected(0, 1)
-             ->default_str("-")
-             ->check(output_file());
-         app.add_option("-o,--output", options->directory,
-                        "draw charts into this folder, and write the table of all methods")
-             ->check(output_folder());
+         line.add_option("task", options->tasks, "approximation, gradient, laplacian")
+             .show_default();
+         line.add_option("--dim", options->dims, "2, 3, or both")
+             .separated_by_commas()
+             .check(one_of<int>({2, 3}))
+             .show_default();
+         line.add_flag("--quick", options->quick, "fewer supports, samples and repetitions");
+         line.add_option("--json", options->json, "write the results to this file, - for stdout")
+             .alone_means("-")
+             .check(output_file());
+         line.add_option("-o,--output", options->directory,
+                         "draw charts into this folder, and write the table of all methods")
+             .check(output_folder());
          return [options] { return frontier(*options); };
      }}};
 }  // namespace

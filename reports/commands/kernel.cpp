@@ -4,7 +4,6 @@
 #include "solver/kernels/all_kernels.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <charconv>
@@ -90,16 +89,16 @@ ExitCode run(const Options& options) {
 
 const RegisterCommand command{
     {"kernel", "values and derivatives of a kernel, as CSV with 17 digits",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("name", options->name, "name of the kernel");
-         app.add_option("--dim", options->dim, "dimension: 1, 2 or 3")->capture_default_str();
-         app.add_option("--support", options->support, "radius beyond which the kernel is 0 [m]")
-             ->capture_default_str();
-         app.add_option("--at", options->at,
-                        "radii r1,r2,... [m]; default: 101 from 0 to the support");
-         app.add_flag("--list", options->list, "the names of the kernels of that dimension");
-         app.add_flag("--json", options->json, "as JSON");
+         line.add_option("name", options->name, "name of the kernel");
+         line.add_option("--dim", options->dim, "dimension: 1, 2 or 3").show_default();
+         line.add_option("--support", options->support, "radius beyond which the kernel is 0 [m]")
+             .show_default();
+         line.add_option("--at", options->at,
+                         "radii r1,r2,... [m]; default: 101 from 0 to the support");
+         line.add_flag("--list", options->list, "the names of the kernels of that dimension");
+         line.add_flag("--json", options->json, "as JSON");
          return [options] { return run(*options); };
      }}};
 }  // namespace

@@ -9,7 +9,6 @@
 #include "verification/stability/map.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <map>
 #include <memory>
@@ -107,14 +106,13 @@ ExitCode list(const Options& options) {
 
 const RegisterCommand command{
     {"list", "what there is: claims, studies, maps, errata, statements, kernels, samplings, scenes",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
          std::vector<std::string> names;
          for (const Kind& kind : kinds) names.emplace_back(kind.name);
-         app.add_option("kind", options->kind, "only this kind")->check(CLI::IsMember(names));
-         app.add_option("--json", options->json, "write it to this file, - for stdout")
-             ->expected(0, 1)
-             ->default_str("-");
+         line.add_option("kind", options->kind, "only this kind").check(one_of(names));
+         line.add_option("--json", options->json, "write it to this file, - for stdout")
+             .alone_means("-");
          return [options] { return list(*options); };
      }}};
 }  // namespace

@@ -14,7 +14,6 @@
 #include "verification/framework/statistics.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <map>
@@ -161,67 +160,66 @@ std::vector<std::string> study_names() {
     return names;
 }
 
-void declare_points(CLI::App& app, Options& o) {
-    const auto points = app.add_option("--points", o.points, "a file: CSV, XYZ, PLY, VTP");
-    const auto cloud = app.add_option("--cloud", o.request.clouds, "points made by us")
-                           ->check(CLI::IsMember(cloud_names()))
-                           ->excludes(points);
-    const auto dim = app.add_option("--dim", o.request.dim, "of the clouds")
-                         ->check(CLI::Range(2, 3))
-                         ->capture_default_str()
-                         ->excludes(points);
+void declare_points(CommandLine& line, Options& o) {
+    const auto points = line.add_option("--points", o.points, "a file: CSV, XYZ, PLY, VTP");
+    const auto cloud = line.add_option("--cloud", o.request.clouds, "points made by us")
+                           .check(one_of(cloud_names()))
+                           .excludes(points);
+    const auto dim = line.add_option("--dim", o.request.dim, "of the clouds")
+                         .check(between(2, 3))
+                         .show_default()
+                         .excludes(points);
     const auto count =
-        app.add_option("--count", o.request.counts, "numbers of points (1000 to 1000000)")
-            ->check(CLI::Range(1u, 100000000u))
-            ->excludes(points);
+        line.add_option("--count", o.request.counts, "numbers of points (1000 to 1000000)")
+            .check(between(1u, 100000000u))
+            .excludes(points);
     const auto contrast =
-        app.add_option("--contrast", o.request.contrasts, "density contrasts of the cloud (1000)")
-            ->excludes(points);
-    const auto order = app.add_option("--order", o.request.orders,
-                                      "of the points in memory (shuffled; of a file: as_given)")
-                           ->check(CLI::IsMember(order_names()));
+        line.add_option("--contrast", o.request.contrasts, "density contrasts of the cloud (1000)")
+            .excludes(points);
+    const auto order = line.add_option("--order", o.request.orders,
+                                       "of the points in memory (shuffled; of a file: as_given)")
+                           .check(one_of(order_names()));
     const auto radius =
-        app.add_option("--radius", o.request.radius, "in the unit of the points (30 neighbours)");
-    const auto spacings = app.add_option("--spacings", o.request.spacings,
-                                         "radii in units of half the usual radius (2)")
-                              ->excludes(radius);
-    const auto moved = app.add_option("--moved", o.request.moved,
-                                      "shares of the points that move before each update, 0 to 1");
+        line.add_option("--radius", o.request.radius, "in the unit of the points (30 neighbours)");
+    const auto spacings = line.add_option("--spacings", o.request.spacings,
+                                          "radii in units of half the usual radius (2)")
+                              .excludes(radius);
+    const auto moved = line.add_option("--moved", o.request.moved,
+                                       "shares of the points that move before each update, 0 to 1");
     const auto own =
-        app.add_flag("--own-radii", o.request.own_radii,
-                     "each point asks with a radius of its own, for as many neighbours each");
-    app.add_option("--radii", o.radii, "column of the file with the radius of each point (r)")
-        ->needs(points)
-        ->expected(0, 1)
-        ->default_str("r")
-        ->excludes(radius)
-        ->excludes(spacings)
-        ->excludes(own);
-    const auto study = app.add_option("--study", o.studies, "what the page of `report` shows")
-                           ->check(CLI::IsMember(study_names()));
-    for (CLI::Option* option :
+        line.add_flag("--own-radii", o.request.own_radii,
+                      "each point asks with a radius of its own, for as many neighbours each");
+    line.add_option("--radii", o.radii, "column of the file with the radius of each point (r)")
+        .needs(points)
+        .alone_means("r")
+        .excludes(radius)
+        .excludes(spacings)
+        .excludes(own);
+    const auto study = line.add_option("--study", o.studies, "what the page of `report` shows")
+                           .check(one_of(study_names()));
+    for (const Option option :
          {points, cloud, dim, count, contrast, order, radius, spacings, moved, own})
-        study->excludes(option);
+        study.excludes(option);
 }
 
 const RegisterCommand command{
     {"neighbours", "neighbour searches: agreement first, then time and memory of every phase",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         declare_points(app, *options);
-         app.add_option("--search", options->searches, "only these")
-             ->check(CLI::IsMember(contestant_names()));
-         app.add_option("--repeats", options->repeats,
-                        "interleaved rounds (9 to 49; quick: 6 to 25); below 6 nothing can be told")
-             ->check(CLI::Range(1, 1000));
-         app.add_flag("--quick", options->quick, "fewer points and rounds");
-         app.add_option("--json", options->json, "write the results to this file, - for stdout")
-             ->expected(0, 1)
-             ->default_str("-")
-             ->check(output_file());
-         app.add_option("-o,--output", options->directory,
-                        "draw charts and write tables into this folder")
-             ->check(output_folder());
+         declare_points(line, *options);
+         line.add_option("--search", options->searches, "only these")
+             .check(one_of(contestant_names()));
+         line.add_option(
+                 "--repeats", options->repeats,
+                 "interleaved rounds (9 to 49; quick: 6 to 25); below 6 nothing can be told")
+             .check(between(1, 1000));
+         line.add_flag("--quick", options->quick, "fewer points and rounds");
+         line.add_option("--json", options->json, "write the results to this file, - for stdout")
+             .alone_means("-")
+             .check(output_file());
+         line.add_option("-o,--output", options->directory,
+                         "draw charts and write tables into this folder")
+             .check(output_folder());
          return [options] { return neighbours(*options); };
      }}};
 }  // namespace

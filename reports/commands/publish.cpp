@@ -6,7 +6,6 @@
 #include "solver/foundation/errors.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -53,14 +52,14 @@ ExitCode publish(const Options& options) {
 
 const RegisterCommand command{
     {"publish", "copies charts of a report, made from a clean commit, with their provenance",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("report", options->report, "the folder that `report` wrote")->required();
-         app.add_option("--chart", options->charts, "names in its folder charts, without .png")
-             ->required();
-         app.add_option("-o,--output", options->folder, "the folder to copy into")
-             ->check(output_folder())
-             ->capture_default_str();
+         line.add_option("report", options->report, "the folder that `report` wrote").required();
+         line.add_option("--chart", options->charts, "names in its folder charts, without .png")
+             .required();
+         line.add_option("-o,--output", options->folder, "the folder to copy into")
+             .check(output_folder())
+             .show_default();
          return [options] { return publish(*options); };
      }}};
 }  // namespace

@@ -10,7 +10,6 @@
 #include "reports/words.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -78,16 +77,16 @@ ExitCode make_report(const Options& options) {
 
 const RegisterCommand command{
     {"report", "everything, in one HTML page that opens offline",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("-o,--output", options->folder,
-                        "the folder for index.html, report.json and the charts; a run that was "
-                        "interrupted continues from what is there")
-             ->check(output_folder())
-             ->capture_default_str();
-         app.add_flag("--quick", options->quick, "coarser studies, smaller clouds: minutes");
-         app.add_option("--baseline", options->baseline, "compare with this earlier report.json");
-         app.add_flag("--json", options->json, "write the report to stdout as JSON, too");
+         line.add_option("-o,--output", options->folder,
+                         "the folder for index.html, report.json and the charts; a run that was "
+                         "interrupted continues from what is there")
+             .check(output_folder())
+             .show_default();
+         line.add_flag("--quick", options->quick, "coarser studies, smaller clouds: minutes");
+         line.add_option("--baseline", options->baseline, "compare with this earlier report.json");
+         line.add_flag("--json", options->json, "write the report to stdout as JSON, too");
          return [options] { return make_report(*options); };
      }}};
 }  // namespace

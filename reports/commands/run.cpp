@@ -5,8 +5,6 @@
 #include "reports/scenes.h"
 #include "solver/scene/scene_file.h"
 
-#include <CLI/CLI.hpp>
-
 #include <csignal>
 #include <memory>
 
@@ -27,22 +25,22 @@ ExitCode run(Options options) {
 
 const RegisterCommand command{
     {"run", "a simulation of a scene file: ParaView series, scalars, pictures, a manifest",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("scene", options->scene, "the scene file, or the name of an example")
-             ->required();
-         app.add_option("-o,--output", options->run.folder,
-                        "the folder to write into (default: the name of the scene and \"_run\")")
-             ->check(output_folder());
-         app.add_option("--steps", options->run.steps, "stop after so many steps")
-             ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40));
-         const auto go_on = app.add_flag("--continue", options->run.go_on,
-                                         "go on with the run that is in the folder");
-         app.add_flag("--overwrite", options->run.overwrite, "delete a run that is in the folder")
-             ->excludes(go_on);
-         app.add_option("--json", options->run.json,
-                        "write the manifest to this file, too, - for stdout")
-             ->check(output_file());
+         line.add_option("scene", options->scene, "the scene file, or the name of an example")
+             .required();
+         line.add_option("-o,--output", options->run.folder,
+                         "the folder to write into (default: the name of the scene and \"_run\")")
+             .check(output_folder());
+         line.add_option("--steps", options->run.steps, "stop after so many steps")
+             .check(between(std::size_t{1}, std::size_t{1} << 40));
+         const auto go_on = line.add_flag("--continue", options->run.go_on,
+                                          "go on with the run that is in the folder");
+         line.add_flag("--overwrite", options->run.overwrite, "delete a run that is in the folder")
+             .excludes(go_on);
+         line.add_option("--json", options->run.json,
+                         "write the manifest to this file, too, - for stdout")
+             .check(output_file());
          return [options] { return run(*options); };
      }}};
 }  // namespace

@@ -6,7 +6,6 @@
 #include "reports/words.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -74,19 +73,18 @@ ExitCode stability(const Options& options) {
 
 const RegisterCommand command{
     {"stability", "where fluids break: borders found by runs beside the theory of the lattice",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("map", options->patterns,
-                        "part of an id, or with the wildcards of a shell; all if none is given");
-         app.add_flag("--quick", options->quick, "one or two runs per line instead of ten");
-         app.add_option("-o,--output", options->folder,
-                        "write a chart (SVG, PNG) and a table (CSV) of each map to this folder; a "
-                        "run that was interrupted continues from what is there")
-             ->check(output_folder());
-         app.add_option("--json", options->json, "write the results to this file, - for stdout")
-             ->expected(0, 1)
-             ->default_str("-")
-             ->check(output_file());
+         line.add_option("map", options->patterns,
+                         "part of an id, or with the wildcards of a shell; all if none is given");
+         line.add_flag("--quick", options->quick, "one or two runs per line instead of ten");
+         line.add_option("-o,--output", options->folder,
+                         "write a chart (SVG, PNG) and a table (CSV) of each map to this folder; a "
+                         "run that was interrupted continues from what is there")
+             .check(output_folder());
+         line.add_option("--json", options->json, "write the results to this file, - for stdout")
+             .alone_means("-")
+             .check(output_file());
          return [options] { return stability(*options); };
      }}};
 }  // namespace

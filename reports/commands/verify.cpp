@@ -6,7 +6,6 @@
 #include "reports/select.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -140,24 +139,23 @@ ExitCode verify(const Options& options) {
 
 const RegisterCommand command{
     {"verify", "measure the claims and judge them: a table, the worst first",
-     [](CLI::App& app) -> std::function<ExitCode()> {
+     [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         app.add_option("pattern", options->patterns,
-                        "part of an id, or with the wildcards of a shell; all if none is given");
-         app.add_option("--tag", options->tag, "only claims with this tag");
-         app.add_option("--json", options->json, "write the results to this file, - for stdout")
-             ->expected(0, 1)
-             ->default_str("-")
-             ->check(output_file());
-         app.add_option("--junit", options->junit, "write the results as JUnit XML to this file")
-             ->check(output_file());
-         app.add_flag("--mutants", options->mutants,
-                      "each formula as printed in the place of its operator: which of the claims "
-                      "on it catch it, and which do not; one that none catches fails");
-         app.add_option("--time-limit", options->seconds_per_claim,
-                        "seconds that one claim may take")
-             ->check(positive_number())
-             ->capture_default_str();
+         line.add_option("pattern", options->patterns,
+                         "part of an id, or with the wildcards of a shell; all if none is given");
+         line.add_option("--tag", options->tag, "only claims with this tag");
+         line.add_option("--json", options->json, "write the results to this file, - for stdout")
+             .alone_means("-")
+             .check(output_file());
+         line.add_option("--junit", options->junit, "write the results as JUnit XML to this file")
+             .check(output_file());
+         line.add_flag("--mutants", options->mutants,
+                       "each formula as printed in the place of its operator: which of the claims "
+                       "on it catch it, and which do not; one that none catches fails");
+         line.add_option("--time-limit", options->seconds_per_claim,
+                         "seconds that one claim may take")
+             .check(positive_number())
+             .show_default();
          return [options] { return verify(*options); };
      }}};
 }  // namespace
