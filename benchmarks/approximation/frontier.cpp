@@ -2,6 +2,7 @@
 
 #include "benchmarks/approximation/frontier_methods.h"
 #include "solver/foundation/parallel.h"
+#include "solver/kernels/all_kernels.h"
 #include "verification/framework/statistics.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ using verification::Effort;
 using verification::Quantity;
 
 struct Plan {
+    std::vector<std::string_view> kernels;
     std::vector<double> supports;  // in spacings; 1.5 is too small for most methods
     std::vector<int> samples_per_metre;
     std::size_t places;
@@ -24,12 +26,17 @@ struct Plan {
 };
 
 Plan plan_of(int dim, Effort effort) {
-    const bool quick = effort == Effort::quick;
+    const std::vector<std::string_view> three{"poly6", "cubic_spline", "wendland_c4"};
+    if (effort == Effort::quick)
+        return dim == 2 ? Plan{three, {1.5, 2.0, 2.5, 3.5}, {20, 40, 80, 160}, 400, 9}
+                        : Plan{three, {1.5, 2.0, 2.5, 3.0}, {8, 12, 18, 27}, 200, 7};
     if (dim == 2)
-        return quick ? Plan{{1.5, 2.0, 2.5, 3.5}, {20, 40, 80, 160}, 400, 9}
-                     : Plan{{1.5, 2.0, 2.5, 3.0, 3.5, 4.5}, {20, 40, 80, 160, 320}, 2000, 25};
-    return quick ? Plan{{1.5, 2.0, 2.5, 3.0}, {8, 12, 18, 27}, 200, 7}
-                 : Plan{{1.5, 2.0, 2.5, 3.0, 3.5}, {8, 12, 18, 27, 40}, 1000, 15};
+        return {AllKernels::names<2>(),
+                {1.5, 2.0, 2.5, 3.0, 3.5, 4.5},
+                {20, 40, 80, 160, 320},
+                2000,
+                25};
+    return {AllKernels::names<3>(), {1.5, 2.0, 2.5, 3.0, 3.5}, {8, 12, 18, 27, 40}, 1000, 15};
 }
 
 /// One thread, so that methods are compared and not schedules; what was set is put back.
@@ -199,12 +206,11 @@ double most_of(std::vector<double> values) {
 template <int Dim>
 Measured measure_situations(Quantity quantity, const Plan& plan,
                             const std::function<void(double)>& between_steps) {
-    const auto kernels = FrontierKernels::names<Dim>();
-    const double steps =
-        static_cast<double>(kernels.size() * plan.supports.size() * plan.samples_per_metre.size());
+    const double steps = static_cast<double>(plan.kernels.size() * plan.supports.size() *
+                                             plan.samples_per_metre.size());
     Measured all;
     double step = 0;
-    for (const std::string_view kernel : kernels)
+    for (const std::string_view kernel : plan.kernels)
         for (const double support : plan.supports)
             for (const int n : plan.samples_per_metre) {
                 if (between_steps) between_steps(step++ / steps);

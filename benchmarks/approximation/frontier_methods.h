@@ -1,9 +1,5 @@
 #pragma once
 
-#include "solver/kernels/cubic_spline.h"
-#include "solver/kernels/kernel_list.h"
-#include "solver/kernels/poly6.h"
-#include "solver/kernels/wendland_c4.h"
 #include "solver/neighbours/neighbour_lists.h"
 #include "verification/framework/approximation_errors.h"
 
@@ -15,10 +11,6 @@
 #include <vector>
 
 namespace benchmarks {
-
-/// The kernels that the frontier compares; a few, since every method is compiled for each.
-using FrontierKernels =
-    plumbline::KernelList<plumbline::Poly6, plumbline::CubicSpline, plumbline::WendlandC4>;
 
 /// The test function of the dimension (Franke's in the plane, plane waves in space) on jittered samples,
 /// and the places where it is approximated, in the unit box, far from the boundary of the samples. Derivatives are taken at samples, since some forms exist

@@ -1,5 +1,6 @@
 #include "benchmarks/approximation/frontier_methods.h"
 #include "solver/approximation/density.h"
+#include "solver/kernels/all_kernels.h"
 #include "solver/neighbours/cell_grid.h"
 #include "solver/particles/halton.h"
 
@@ -44,7 +45,7 @@ template <int Dim> NeighbourLists Situation<Dim>::find_neighbours() const {
 
 template <int Dim> std::vector<double> Situation<Dim>::sum_volumes() const {
     std::vector<double> found;
-    FrontierKernels::with<Dim>(kernel, support, [&](const auto& w) {
+    AllKernels::with<Dim>(kernel, support, [&](const auto& w) {
         found = volumes(w, std::span<const Vec<Dim>>(x), std::span<const double>(m), neighbours);
     });
     return found;
