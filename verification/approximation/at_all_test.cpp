@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+namespace at_all_test {
+
 using namespace plumbline;
 
 TEST_CASE("at_all holds op(i) in row i, with any number of threads") {
@@ -26,3 +28,5 @@ TEST_CASE("at_all passes on what op throws") {
     };
     CHECK_THROWS_AS(at_all(1000, fails), std::runtime_error);
 }
+
+}  // namespace at_all_test

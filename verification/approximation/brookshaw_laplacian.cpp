@@ -8,6 +8,7 @@
 #include "verification/framework/lattice_sums.h"
 #include "verification/framework/registry.h"
 
+namespace brookshaw_laplacian_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -228,3 +229,4 @@ const Register of_the_parabola{
           .measure = [] { return of_parabola(4.0, laplacian_brookshaw<Poly6<2>>); },
           .sabotaged = [] { return of_parabola(4.0, laplacian_difference<Poly6<2>>); }}};
 }  // namespace
+}  // namespace brookshaw_laplacian_claims

@@ -7,6 +7,7 @@
 #include "verification/framework/lattice_sums.h"
 #include "verification/framework/registry.h"
 
+namespace density_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -310,3 +311,4 @@ const Register claims_of_density{
           .sabotaged = [] { return change_of_density<3>(false); }},
 };
 }  // namespace
+}  // namespace density_claims

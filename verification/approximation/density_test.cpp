@@ -7,6 +7,8 @@
 
 #include <limits>
 
+namespace density_test {
+
 using namespace plumbline;
 
 TEST_CASE("volumes names the sample whose mass or density is unusable") {
@@ -30,3 +32,5 @@ TEST_CASE("volumes refuses a sample that no neighbour list mentions") {
     CHECK_THROWS_WITH(volumes<Poly6<2>>(w, x, m, nobody),
                       Catch::Contains("density") && Catch::Contains("sample 0"));
 }
+
+}  // namespace density_test

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+namespace mls_derivatives_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -238,3 +239,4 @@ const Register claims{
           .sabotaged = [] { return inconsistency_with_random_weights(3); }},
 };
 }  // namespace
+}  // namespace mls_derivatives_claims

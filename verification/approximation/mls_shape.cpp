@@ -13,6 +13,7 @@
 
 #include <numbers>
 
+namespace mls_shape_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -299,3 +300,4 @@ const Register squares{
 };
 
 }  // namespace
+}  // namespace mls_shape_claims

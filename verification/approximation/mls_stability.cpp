@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <numbers>
 
+namespace mls_stability_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -207,3 +208,4 @@ const Register supports{
           .sabotaged = [] { return incomplete_fits<2, 3>(1.2); }},
 };
 }  // namespace
+}  // namespace mls_stability_claims

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+namespace mlsph_shape_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -103,3 +104,4 @@ const Register claims{
           .sabotaged = [] { return largest_jump<MlsShape<0, Poly6<2>>>(2.0); }},
 };
 }  // namespace
+}  // namespace mlsph_shape_claims

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+namespace moment_inverse_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -208,3 +209,4 @@ const Register claims{
           .sabotaged = [] { return growth_over_units(false); }},
 };
 }  // namespace
+}  // namespace moment_inverse_claims

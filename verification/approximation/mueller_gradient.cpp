@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <Eigen/LU>
 
+namespace mueller_gradient_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -160,3 +161,4 @@ const Register claims{
               }},
 };
 }  // namespace
+}  // namespace mueller_gradient_claims

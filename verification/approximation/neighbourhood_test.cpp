@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace neighbourhood_test {
 namespace {
 using namespace plumbline;
 
@@ -37,3 +38,4 @@ TEST_CASE("the gradient of a neighbour is that of the kernel, and 0 where both c
     CHECK(gradient(w, Neighbour<2>{0, Vec<2>::Zero(), 0.0}) == Vec<2>::Zero());
 }
 }  // namespace
+}  // namespace neighbourhood_test

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+namespace polynomial_basis_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -66,3 +67,4 @@ const Register claims{
           .sabotaged = [] { return misplaced<3>(1); }},
 };
 }  // namespace
+}  // namespace polynomial_basis_claims

@@ -8,6 +8,7 @@
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
+namespace product_rule_gradient_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -285,3 +286,4 @@ const Register symmetric_moves{in_dimensions<1, 2, 3>([]<int D>() {
                  .sabotaged = [] { return change_of_gradient<D>(symmetric, false); }};
 })};
 }  // namespace
+}  // namespace product_rule_gradient_claims

@@ -8,6 +8,7 @@
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
+namespace shape_functions_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -120,3 +121,4 @@ const Register claims{
           .sabotaged = [] { return empty_answers_without_neighbours(false); }},
 };
 }  // namespace
+}  // namespace shape_functions_claims

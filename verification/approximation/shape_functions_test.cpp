@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace shape_functions_test {
+
 using namespace plumbline;
 
 TEST_CASE("shape functions refuse a field of another size and a derivative that was not computed") {
@@ -22,3 +24,5 @@ TEST_CASE("shape functions refuse a field of another size and a derivative that 
     CHECK_THROWS_AS(precompute<MuellerShape<Poly6<2>>>(mueller, x, at, all, Derivatives::laplacian),
                     InvalidInput);
 }
+
+}  // namespace shape_functions_test

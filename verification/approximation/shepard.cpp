@@ -10,6 +10,7 @@
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
+namespace shepard_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -243,3 +244,4 @@ const Register on_lattices{Claim{
     .measure = [] { return difference_at_sample(0.0); },
     .sabotaged = [] { return difference_at_sample(0.2); }}};
 }  // namespace
+}  // namespace shepard_claims

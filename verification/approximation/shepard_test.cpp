@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace shepard_test {
+
 using namespace plumbline;
 
 TEST_CASE("Shepard has no value where no sample has weight") {
@@ -20,3 +22,5 @@ TEST_CASE("Shepard has no value where no sample has weight") {
     CHECK_FALSE(shepard(w, s, f, listed_but_too_far));
     CHECK(shepard(w, s, f, s.at(patch.centre)));
 }
+
+}  // namespace shepard_test

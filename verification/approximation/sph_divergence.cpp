@@ -8,6 +8,7 @@
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
+namespace sph_divergence_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -166,3 +167,4 @@ const Register moves{in_dimensions<1, 2, 3>([]<int D>() {
         .sabotaged = [] { return change_of_divergence<D>(difference, false); }};
 })};
 }  // namespace
+}  // namespace sph_divergence_claims

@@ -9,6 +9,7 @@
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
+namespace sph_gradient_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -307,3 +308,4 @@ const Register difference_moves{in_dimensions<1, 2, 3>([]<int D>() {
         .sabotaged = [] { return change_of_gradient<D>(difference, false); }};
 })};
 }  // namespace
+}  // namespace sph_gradient_claims

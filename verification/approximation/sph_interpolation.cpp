@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+namespace sph_interpolation_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -287,3 +288,4 @@ const Register claims_of_sph_interpolation{
         .sabotaged = [] { return change_of_value<3>(false); }},
 };
 }  // namespace
+}  // namespace sph_interpolation_claims

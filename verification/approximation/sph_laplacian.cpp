@@ -11,6 +11,7 @@
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
+namespace sph_laplacian_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -296,3 +297,4 @@ const Register of_the_parabola{
         .measure = laplacian_less_divergence_of_gradient,
         .sabotaged = of_continuous_operators}};
 }  // namespace
+}  // namespace sph_laplacian_claims

@@ -12,6 +12,7 @@
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
+namespace sph_shape_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -99,3 +100,4 @@ const Register claims{
           "Σ ΔΦⱼ fⱼ with Φⱼ = Vⱼ ω is the SPH Laplacian of Eq. 11 with the true Δω", of_laplacian),
 };
 }  // namespace
+}  // namespace sph_shape_claims

@@ -8,6 +8,7 @@
 #include "verification/framework/invariances.h"
 #include "verification/framework/registry.h"
 
+namespace sph_shape_function_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -53,3 +54,4 @@ const Register claims_of_shape_functions{in_dimensions<1, 2, 3>([]<int D>() {
         .sabotaged = [] { return distance_from_sums<D>([](Index i, Index) { return i; }); }};
 })};
 }  // namespace
+}  // namespace sph_shape_function_claims

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace contestants_test {
 namespace {
 using namespace benchmarks;
 
@@ -37,3 +38,5 @@ TEST_CASE("a contestant is made by its name, and only by that") {
     for (const std::string& name : names) CHECK(make_contestant<2>(name) != nullptr);
     CHECK_THROWS_AS(make_contestant<3>("telepathy"), plumbline::InvalidInput);
 }
+
+}  // namespace contestants_test

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+namespace frontier_test {
 namespace {
 using namespace benchmarks;
 
@@ -96,3 +97,5 @@ TEST_CASE("precomputed methods are compared with the SPH sum of their own situat
     for (Candidate& c : candidates) c.application->median_s *= 2.0;
     CHECK(precomputed_ratios(candidates, 0.05)[0].verdict == "does not hold");
 }
+
+}  // namespace frontier_test

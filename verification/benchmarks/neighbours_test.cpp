@@ -11,6 +11,7 @@
 #include <cmath>
 #include <set>
 
+namespace neighbours_test {
 namespace {
 using namespace benchmarks;
 using plumbline::Index;
@@ -294,3 +295,5 @@ TEST_CASE("one point, and points that coincide, can be compared, and an update i
     CHECK(result.mean_neighbours == 40.0);
     for (const SearchResult& s : result.searches) CHECK(s.runs.step().size() == 2);
 }
+
+}  // namespace neighbours_test

@@ -4,6 +4,7 @@
 #include "verification/framework/registry.h"
 #include "verification/reference_data/reference.h"
 
+namespace dam_break_claims {
 namespace {
 using namespace verification;
 using namespace plumbline;
@@ -134,3 +135,4 @@ const Register claims_of_dam_break{
           .measure = [] { return validation_metric(false); },
           .sabotaged = [] { return validation_metric(true); }}};
 }  // namespace
+}  // namespace dam_break_claims

@@ -3,6 +3,7 @@
 #include "verification/framework/registry.h"
 #include "verification/reference_data/reference.h"
 
+namespace elliptical_drop_claims {
 namespace {
 using namespace verification;
 
@@ -51,3 +52,4 @@ const Register claims_of_elliptical_drop{
           .measure = [] { return loss_of_energy(0.0); },
           .sabotaged = [] { return loss_of_energy(0.1); }}};
 }  // namespace
+}  // namespace elliptical_drop_claims

@@ -1,6 +1,7 @@
 #include "verification/cases/channel.h"
 #include "verification/framework/registry.h"
 
+namespace hydrostatic_column_claims {
 namespace {
 using namespace verification;
 
@@ -38,3 +39,4 @@ const Register claims_of_column{Claim{
     .sabotaged = [] { return error_of_pressure(0.0); },
     .erratum = 31}};
 }  // namespace
+}  // namespace hydrostatic_column_claims

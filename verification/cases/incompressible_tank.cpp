@@ -3,6 +3,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace incompressible_tank_claims {
 namespace {
 using namespace verification;
 using namespace plumbline;
@@ -99,3 +100,4 @@ const Register steps{
                   return collapse(0.1).mean_step / (0.4 * 0.1 / (11.0 * v));
               }}};
 }  // namespace
+}  // namespace incompressible_tank_claims

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+namespace startup_flow_claims {
 namespace {
 using namespace verification;
 using plumbline::Vec;
@@ -65,3 +66,4 @@ const Register claims_of_startup{Study{
             largest_error(slipping, poiseuille)};
     }}};
 }  // namespace
+}  // namespace startup_flow_claims

@@ -2,6 +2,7 @@
 
 #include "verification/framework/registry.h"
 
+namespace taylor_green_claims {
 namespace {
 using namespace verification;
 
@@ -38,3 +39,4 @@ const Register claims_of_taylor_green{
                                  simulate({.spacing = spacing, .shifting = 0.0}, 0.5).velocity};
           }}};
 }  // namespace
+}  // namespace taylor_green_claims

@@ -6,6 +6,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace artificial_viscosity_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -86,3 +87,4 @@ const Register switched{in_dimensions<2, 3>([]<int D>() {
                      }};
 })};
 }  // namespace
+}  // namespace artificial_viscosity_claims

@@ -7,6 +7,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace averaged_pressure_force_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -37,3 +38,4 @@ const Register angular{in_dimensions<2, 3>([]<int D>() {
         [] { return net_torque_of<D>(with_one_density<D>()); });
 })};
 }  // namespace
+}  // namespace averaged_pressure_force_claims

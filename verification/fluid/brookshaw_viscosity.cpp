@@ -7,6 +7,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace brookshaw_viscosity_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -82,3 +83,4 @@ const Register accuracy{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return error_of_viscosity<D>(0.5); }};
 })};
 }  // namespace
+}  // namespace brookshaw_viscosity_claims

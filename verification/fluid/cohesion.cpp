@@ -7,6 +7,7 @@
 
 #include <numbers>
 
+namespace cohesion_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -77,3 +78,4 @@ const Register spline{
           .measure = [] { return std::min(attraction(0.5), -attraction(0.1)); },
           .sabotaged = [] { return std::min(attraction(0.5), -attraction(0.3)); }}};
 }  // namespace
+}  // namespace cohesion_claims

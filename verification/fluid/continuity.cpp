@@ -4,6 +4,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace continuity_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -71,3 +72,4 @@ const Register rigid{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return of_rigid_motion<D>(true); }};
 })};
 }  // namespace
+}  // namespace continuity_claims

@@ -4,6 +4,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace density_diffusion_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -57,3 +58,4 @@ const Register extrema{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return growth_of_extrema<D>(-1.0); }};
 })};
 }  // namespace
+}  // namespace density_diffusion_claims

@@ -8,6 +8,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace dfsph_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -145,3 +146,4 @@ const Register momentum{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return change_of_momentum<D>(false); }};
 })};
 }  // namespace
+}  // namespace dfsph_claims

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace dfsph_test {
 namespace {
 using namespace plumbline;
 
@@ -97,3 +98,4 @@ TEST_CASE("a warm start takes fewer iterations") {
     CHECK(warm < cold);
 }
 }  // namespace
+}  // namespace dfsph_test

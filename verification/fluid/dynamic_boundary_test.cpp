@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace dynamic_boundary_test {
+
 using namespace plumbline;
 
 TEST_CASE("walls are held, and their density falls back to that at rest, not below") {
@@ -25,3 +27,5 @@ TEST_CASE("walls are held, and their density falls back to that at rest, not bel
     HoldWalls<2>{1.0}.run(0.1, wall, rho, a, rate);
     for (const double r : rate) CHECK(r == 3.0);
 }
+
+}  // namespace dynamic_boundary_test

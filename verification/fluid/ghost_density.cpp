@@ -5,6 +5,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace ghost_density_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -65,3 +66,4 @@ const Register erratum_of_ghosts{
             "pₖ, ρₖ, mₖ of ghosts are not defined",
             "mₖ = ρ₀/Σₗ ωₖₗ; pressure and density are those of the particle that feels the ghost"}};
 }  // namespace
+}  // namespace ghost_density_claims

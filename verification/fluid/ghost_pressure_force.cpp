@@ -5,6 +5,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace ghost_pressure_force_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -52,3 +53,4 @@ const Register push{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return pull<D>(1.0); }};
 })};
 }  // namespace
+}  // namespace ghost_pressure_force_claims

@@ -4,6 +4,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace ghost_xsph_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -27,3 +28,4 @@ const Register same{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return difference<D>(false); }};
 })};
 }  // namespace
+}  // namespace ghost_xsph_claims

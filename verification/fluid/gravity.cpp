@@ -4,6 +4,7 @@
 #include "solver/scene/symplectic_euler.h"
 #include "verification/framework/registry.h"
 
+namespace gravity_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -38,3 +39,4 @@ const Register claims_of_gravity{
             "no external force; \"if ρᵢ < 0\" in the scan",
             "aᵢ += fₑ/ρᵢ; the test is pᵢ < 0"}};
 }  // namespace
+}  // namespace gravity_claims

@@ -4,6 +4,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace heat_conduction_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -113,3 +114,4 @@ const Register jump{in_dimensions<2, 3>([]<int D>() {
         .sabotaged = [] { return error_of_exchange<D>(5.0); }};
 })};
 }  // namespace
+}  // namespace heat_conduction_claims

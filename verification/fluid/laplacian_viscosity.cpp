@@ -9,6 +9,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace laplacian_viscosity_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -138,3 +139,4 @@ const Register errata_of_viscosity{Erratum{18,
                                            "μ (Δv)(xᵢ)",
                                            "μ/ρᵢ (Δv)(xᵢ), as Eqs. 44 and 46 have it"}};
 }  // namespace
+}  // namespace laplacian_viscosity_claims

@@ -5,6 +5,7 @@
 #include "verification/fluid/dispersion.h"
 #include "verification/framework/registry.h"
 
+namespace lattice_instabilities_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -59,3 +60,4 @@ const Register claims_of_instabilities{
           .measure = [] { return most_stable_under_tension(-0.01); },
           .sabotaged = [] { return most_stable_under_tension(0.01); }}};
 }  // namespace
+}  // namespace lattice_instabilities_claims

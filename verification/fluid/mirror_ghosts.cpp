@@ -5,6 +5,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace mirror_ghosts_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -103,3 +104,4 @@ const Register without_slip{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return difference<D>(false, 0.01); }};
 })};
 }  // namespace
+}  // namespace mirror_ghosts_claims

@@ -8,6 +8,7 @@
 #include "verification/framework/oracle.h"
 #include "verification/framework/registry.h"
 
+namespace monaghan_viscosity_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -135,3 +136,4 @@ const Register continuum{in_dimensions<2, 3>([]<int D>() {
         .sabotaged = [] { return in_the_continuum<D>(0.01); }};
 })};
 }  // namespace
+}  // namespace monaghan_viscosity_claims

@@ -3,6 +3,7 @@
 #include "verification/fluid/drop.h"
 #include "verification/framework/registry.h"
 
+namespace particle_shifting_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -66,3 +67,4 @@ const Register claims_of_shifting{
           .bound = at_most(0.0, "nothing but positions is written"),
           .measure = momentum_of_shift}};
 }  // namespace
+}  // namespace particle_shifting_claims

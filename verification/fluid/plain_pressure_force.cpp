@@ -7,6 +7,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace plain_pressure_force_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -51,3 +52,4 @@ const Register loses{in_dimensions<2, 3>([]<int D>() {
         .sabotaged = [] { return net_force_of<D>(tait, symmetric<D>()); }};
 })};
 }  // namespace
+}  // namespace plain_pressure_force_claims

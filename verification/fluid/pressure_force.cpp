@@ -7,6 +7,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace pressure_force_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -123,3 +124,4 @@ const Register angular_drift{in_dimensions<2, 3>([]<int D>() {
 const Register errata_of_pressure{
     Erratum{19, {Paper::adams2009, "Sec. 6.1"}, "aᵢⱼ + aⱼᵢ = 0", "mᵢ aᵢⱼ + mⱼ aⱼᵢ = 0"}};
 }  // namespace
+}  // namespace pressure_force_claims

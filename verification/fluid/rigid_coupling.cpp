@@ -10,6 +10,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace rigid_coupling_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -149,3 +150,4 @@ const Register tumble{Claim{
     .measure = [] { return change_of_angular_momentum(true); },
     .sabotaged = [] { return change_of_angular_momentum(false); }}};
 }  // namespace
+}  // namespace rigid_coupling_claims

@@ -6,6 +6,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace several_fluids_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -95,3 +96,4 @@ const Register single{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return difference_from_eq_51<D>(false); }};
 })};
 }  // namespace
+}  // namespace several_fluids_claims

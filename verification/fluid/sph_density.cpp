@@ -6,6 +6,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace sph_density_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -37,3 +38,4 @@ const Register same{in_dimensions<2, 3>([]<int D>() {
         .sabotaged = [h] { return difference_from_formula<D>(Poly6<D>(h)); }};
 })};
 }  // namespace
+}  // namespace sph_density_claims

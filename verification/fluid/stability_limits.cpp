@@ -16,6 +16,7 @@
 #include "verification/fluid/dispersion.h"
 #include "verification/framework/registry.h"
 
+namespace stability_limits_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -298,3 +299,4 @@ const Register claims_of_limits{
           .measure = [] { return slowest_decay(false); },
           .sabotaged = [] { return slowest_decay(true); }}};
 }  // namespace
+}  // namespace stability_limits_claims

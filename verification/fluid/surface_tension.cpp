@@ -10,6 +10,7 @@
 
 #include <numbers>
 
+namespace surface_tension_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -67,3 +68,4 @@ const Register laplace{in_dimensions<2, 3>([]<int D>() {
         .sabotaged = [] { return jump_of_pressure<D>(true); }};
 })};
 }  // namespace
+}  // namespace surface_tension_claims

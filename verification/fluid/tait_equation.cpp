@@ -4,6 +4,7 @@
 #include "verification/framework/registry.h"
 #include "verification/reference_data/reference.h"
 
+namespace tait_equation_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -131,3 +132,4 @@ const Register claims_of_tait{
           .measure = refused},
 };
 }  // namespace
+}  // namespace tait_equation_claims

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+namespace tension_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -28,3 +29,4 @@ const Register claims_of_tension{
           .measure = [] { return error(0.25); },
           .sabotaged = [] { return error(1.0); }}};
 }  // namespace
+}  // namespace tension_claims

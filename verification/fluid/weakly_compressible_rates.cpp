@@ -10,6 +10,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace weakly_compressible_rates_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -119,3 +120,4 @@ const Register periodic{in_dimensions<2>([]<int D>() {
                  .sabotaged = [] { return acceleration_of_lattice<D>(6.5); }};
 })};
 }  // namespace
+}  // namespace weakly_compressible_rates_claims

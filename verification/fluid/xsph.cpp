@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
+namespace xsph_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -192,3 +193,4 @@ const Register claims_of_xsph{
             "v ← ξ Σ mⱼ/ρⱼ ωᵢⱼ vⱼ + (1 − ξ) v",
             "v ← v + ξ Σ 2 mⱼ/(ρᵢ + ρⱼ) ωᵢⱼ (vⱼ − v), and the impulse of ghosts on their body"}};
 }  // namespace
+}  // namespace xsph_claims

@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 
+namespace lanes_test {
 namespace {
 using namespace plumbline;
 
@@ -68,3 +69,4 @@ TEST_CASE("vectors of lanes are lanes of vectors") {
     CHECK(sum(LaneVector<double, 3>::zero()) == Vec<3>::Zero());
 }
 }  // namespace
+}  // namespace lanes_test

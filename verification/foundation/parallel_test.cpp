@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+namespace parallel_test {
 namespace {
 using namespace plumbline;
 
@@ -43,3 +44,4 @@ TEST_CASE("parallel_for rethrows what a body throws, after all others ran") {
     CHECK(visits == expected);
 }
 }  // namespace
+}  // namespace parallel_test

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace quantities_test {
 namespace {
 using namespace plumbline;
 struct A {};
@@ -23,3 +24,4 @@ TEST_CASE("a difference keeps what the second list lacks") {
     STATIC_REQUIRE(!contains<Quantities<A, B>, C>);
 }
 }  // namespace
+}  // namespace quantities_test

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+namespace random_test {
 namespace {
 using plumbline::Random;
 
@@ -41,3 +42,4 @@ TEST_CASE("Random::uniform of a range stays in it") {
     }
 }
 }  // namespace
+}  // namespace random_test

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace sum_test {
 namespace {
 using namespace plumbline;
 
@@ -32,3 +33,4 @@ TEST_CASE("sum refuses a term that is an Eigen expression") {
     STATIC_REQUIRE(!CanSum<Vec<2>, decltype(expression)>);
 }
 }  // namespace
+}  // namespace sum_test

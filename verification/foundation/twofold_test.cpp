@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace twofold_test {
+
 using namespace plumbline;
 using verification::Real50;
 
@@ -28,3 +30,5 @@ TEST_CASE("sums, differences and squares keep every bit, and products 100 of the
         CHECK(relative(Real50(rounded_product(d, s)), exact) < 0x1.01p-53);
     }
 }
+
+}  // namespace twofold_test

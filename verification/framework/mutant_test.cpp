@@ -6,6 +6,7 @@
 
 #include <set>
 
+namespace mutant_test {
 namespace {
 using namespace verification;
 
@@ -58,3 +59,5 @@ TEST_CASE("every mutant belongs to an erratum") {
         CHECK(numbers.contains(mutant->erratum));
     }
 }
+
+}  // namespace mutant_test

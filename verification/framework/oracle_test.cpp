@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+namespace oracle_test {
+
 using namespace verification;
 
 TEST_CASE("ulp_error counts units in the last place of the exact value") {
@@ -28,3 +30,5 @@ TEST_CASE("integrate_polynomial is exact to 48 digits up to degree 59") {
     const Real50 found = integrate_polynomial([](const Real50& x) { return pow(x, 59); }, 0, 1);
     CHECK(abs(found - exact).convert_to<double>() < 1e-48);
 }
+
+}  // namespace oracle_test

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace patch_test {
+
 using namespace verification;
 using plumbline::Vec;
 
@@ -57,3 +59,5 @@ TEST_CASE("jitter stays below its size, and its seed makes it") {
     CHECK(once.x == again.x);
     CHECK(once.x != other.x);
 }
+
+}  // namespace patch_test

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace property_test {
+
 using namespace verification;
 
 TEST_CASE("counterexamples is 0 for a true property and 1 for a false one") {
@@ -41,3 +43,5 @@ TEST_CASE("worst_error is the largest of all cases, and NaN if one of them is Na
     CHECK(worst_error([] { return -uniform(0.0, 1.0); }) > 0.9);
     CHECK(std::isnan(worst_error([] { return std::log(uniform(-1.0, 0.0)); })));
 }
+
+}  // namespace property_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace source_test {
+
 using verification::items_of;
 using Items = std::vector<std::string>;
 
@@ -14,3 +16,5 @@ TEST_CASE("items_of splits a place into the single equations, algorithms and sec
     CHECK(items_of("Wendland 1995") == Items{"Wendland 1995"});
     CHECK(items_of("") == Items{});
 }
+
+}  // namespace source_test

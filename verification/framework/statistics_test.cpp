@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+namespace statistics_test {
 namespace {
 using namespace verification;
 using Errors = std::vector<std::vector<double>>;
@@ -136,3 +137,5 @@ TEST_CASE("median") {
     CHECK(median({NAN, 1.0}) == 1.0);
     CHECK(std::isnan(median({})));
 }
+
+}  // namespace statistics_test

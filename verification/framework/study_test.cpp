@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+namespace study_test {
 namespace {
 using namespace verification;
 using Law = std::function<double(double spacing, std::uint64_t seed)>;
@@ -111,3 +112,5 @@ TEST_CASE("what a study throws is its error") {
     CHECK(result.error == "broken");
     CHECK(result.series.empty());
 }
+
+}  // namespace study_test

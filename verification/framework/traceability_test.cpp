@@ -4,6 +4,8 @@
 
 #include <set>
 
+namespace traceability_test {
+
 using namespace verification;
 
 TEST_CASE("every statement of the covered parts has a claim") {
@@ -29,3 +31,5 @@ TEST_CASE("every erratum that a claim names is registered, and none is without a
         if (claim.erratum) named.insert(*claim.erratum);
     CHECK(registered == named);
 }
+
+}  // namespace traceability_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace base64_test {
+
 using namespace plumbline;
 
 TEST_CASE("base64: the test vectors of RFC 4648, both ways", "[io]") {
@@ -29,3 +31,5 @@ TEST_CASE("base64: what is none is refused", "[io]") {
     for (const char* wrong : {"Z", "Zm9", "Zg=a", "Z===", "====", "Zm9v*", "Zm9vZ"})
         CHECK_FALSE(decode_base64(wrong));
 }
+
+}  // namespace base64_test

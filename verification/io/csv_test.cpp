@@ -11,6 +11,7 @@
 #include <limits>
 #include <sstream>
 
+namespace csv_test {
 namespace {
 using namespace plumbline;
 using Catch::Matchers::Message;
@@ -66,3 +67,5 @@ TEST_CASE("csv: missing numbers are NaN, other text is refused", "[io]") {
                                                          "number, found \"x\""));
     CHECK_THROWS_WITH(read.text("d"), Catch::Contains("expected a column \"d\""));
 }
+
+}  // namespace csv_test

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace point_formats_test {
 namespace {
 using namespace plumbline;
 using namespace std::string_literals;
@@ -184,3 +185,5 @@ TEST_CASE("each bad file of points has its message", "[io]") {
         CHECK(message_for(input) == input.message);
     }
 }
+
+}  // namespace point_formats_test

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+namespace poly_data_test {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -61,3 +62,4 @@ TEST_CASE("vectors of the plane get a third component") {
     CHECK(in_space(std::vector<double>{1, 2, 3}, 3) == std::vector<double>{1, 2, 3});
 }
 }  // namespace
+}  // namespace poly_data_test

@@ -6,6 +6,7 @@
 
 #include <sstream>
 
+namespace pvd_series_test {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -23,3 +24,4 @@ TEST_CASE("a series names its files in the order of time") {
     CHECK(b != std::string::npos);
 }
 }  // namespace
+}  // namespace pvd_series_test

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+namespace read_mesh_test {
 namespace {
 using namespace plumbline;
 
@@ -128,3 +129,5 @@ TEST_CASE("meshes: bodies that cannot be", "[io]") {
     CHECK(message(crossed) ==
           "mesh: expected a surface that does not cut itself, found one that does");
 }
+
+}  // namespace read_mesh_test

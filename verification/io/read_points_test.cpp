@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace read_points_test {
 namespace {
 using namespace plumbline;
 using namespace std::string_literals;
@@ -115,3 +116,5 @@ TEST_CASE("points: VTP in the plane, vectors by component, names with entities",
     CHECK(points.column("v_1") == Numbers{2, 4});
     CHECK(points.column("a<b") == Numbers{5, 6});
 }
+
+}  // namespace read_points_test

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 
+namespace source_text_test {
 namespace {
 using namespace plumbline;
 using Catch::Matchers::Message;
@@ -73,3 +74,5 @@ TEST_CASE("source text: quotes are short and printable", "[io]") {
     CHECK(in_quotes("a\tb") == "\"a\\x09b\"");
     CHECK(in_quotes(std::string(41, 'x')) == "\"" + std::string(40, 'x') + "…\"");
 }
+
+}  // namespace source_text_test

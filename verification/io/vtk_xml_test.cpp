@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+namespace vtk_xml_test {
 namespace {
 using namespace plumbline;
 
@@ -20,3 +21,4 @@ TEST_CASE("an array in ascii has a value per line") {
         "</DataArray>\n");
 }
 }  // namespace
+}  // namespace vtk_xml_test

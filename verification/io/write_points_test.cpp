@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+namespace write_points_test {
 namespace {
 using namespace plumbline;
 
@@ -99,3 +100,5 @@ TEST_CASE("columns that no file could give back are refused", "[io]") {
     CHECK(message({"a b", {1, 2}}, formats[1]) ==
           "a PLY file: expected a name without blanks, found \"a b\"");
 }
+
+}  // namespace write_points_test

@@ -7,6 +7,7 @@
 
 #include <sstream>
 
+namespace write_surface_test {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -50,3 +51,4 @@ TEST_CASE("in the plane facets are edges") {
     CHECK(data.points() == s.vertices.size());
 }
 }  // namespace
+}  // namespace write_surface_test

@@ -6,6 +6,7 @@
 #include "verification/framework/registry.h"
 #include "verification/kernels/radial.h"
 
+namespace anisotropic_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -134,3 +135,4 @@ const Register claims_of_anisotropic{
               }},
 };
 }  // namespace
+}  // namespace anisotropic_claims

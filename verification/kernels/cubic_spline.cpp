@@ -5,6 +5,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace cubic_spline_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -62,3 +63,4 @@ const Register claims_of_cubic_spline{
               }},
 };
 }  // namespace
+}  // namespace cubic_spline_claims

@@ -6,6 +6,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/erf.hpp>
 
+namespace gaussian_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -77,3 +78,4 @@ const Register claims_of_gaussian{
               }},
 };
 }  // namespace
+}  // namespace gaussian_claims

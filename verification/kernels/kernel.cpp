@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+namespace kernel_concept_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -195,3 +196,4 @@ const Register claims_of_kernel{
           .sabotaged = [] { return hessian_error<3>(hessian_along_x); }},
 };
 }  // namespace
+}  // namespace kernel_concept_claims

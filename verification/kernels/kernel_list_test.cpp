@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace kernel_list_test {
+
 using namespace plumbline;
 
 TEST_CASE("the list of kernels holds each where it exists, under its own name") {
@@ -31,3 +33,5 @@ TEST_CASE("the Laplacian at the centre is the limit, and 0 where there is none")
         CHECK(std::isfinite(laplacian(w, 1e-60)));
     });
 }
+
+}  // namespace kernel_list_test

@@ -5,6 +5,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace lucy_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -45,3 +46,4 @@ template <int Dim> struct LucyFormula {
 const Register standard_claims{
     kernel_claims<Lucy, LucyFormula>({Paper::literature, "Lucy 1977; adams2009 Sec. 2.1"})};
 }  // namespace
+}  // namespace lucy_claims

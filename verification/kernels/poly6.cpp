@@ -6,6 +6,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace poly6_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -141,3 +142,4 @@ const Register claims_of_poly6{
         .erratum = 38},
 };
 }  // namespace
+}  // namespace poly6_claims

@@ -5,6 +5,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace quintic_spline_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -80,3 +81,4 @@ const Register claims_of_quintic_spline{
               }},
 };
 }  // namespace
+}  // namespace quintic_spline_claims

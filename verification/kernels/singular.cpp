@@ -6,6 +6,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace singular_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -75,3 +76,4 @@ const Register claims_of_singular{
               }},
 };
 }  // namespace
+}  // namespace singular_claims

@@ -4,6 +4,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace slope_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -46,3 +47,4 @@ const Register in_single{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return error<D, Lanes<float>>(1.00001); }};
 })};
 }  // namespace
+}  // namespace slope_claims

@@ -7,6 +7,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace spiky_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -128,3 +129,4 @@ const Register claims_of_spiky{
           .erratum = 17},
 };
 }  // namespace
+}  // namespace spiky_claims

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+namespace support_test {
+
 using namespace plumbline;
 
 TEST_CASE("Support scales lengths without rounding, and clamps them at the rim") {
@@ -44,3 +46,5 @@ TEST_CASE("a radius that is not a number gives no number") {
         CHECK(std::isnan(laplacian(w, std::nan(""))));
     });
 }
+
+}  // namespace support_test

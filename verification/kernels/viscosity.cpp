@@ -6,6 +6,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace viscosity_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -102,3 +103,4 @@ const Register claims_of_viscosity{
           .sabotaged = [] { return cone_error(Viscosity<3>(0.7), 15 / (2 * pi<double>())); }},
 };
 }  // namespace
+}  // namespace viscosity_claims

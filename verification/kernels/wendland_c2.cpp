@@ -5,6 +5,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace wendland_c2_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -50,3 +51,4 @@ template <int Dim> struct WendlandC2Formula {
 const Register standard_claims{
     kernel_claims<WendlandC2, WendlandC2Formula>({Paper::literature, "Wendland 1995"})};
 }  // namespace
+}  // namespace wendland_c2_claims

@@ -5,6 +5,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace wendland_c4_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -51,3 +52,4 @@ template <int Dim> struct WendlandC4Formula {
 const Register standard_claims{
     kernel_claims<WendlandC4, WendlandC4Formula>({Paper::literature, "Wendland 1995"})};
 }  // namespace
+}  // namespace wendland_c4_claims

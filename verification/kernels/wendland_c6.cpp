@@ -5,6 +5,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace wendland_c6_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -54,3 +55,4 @@ template <int Dim> struct WendlandC6Formula {
 const Register standard_claims{
     kernel_claims<WendlandC6, WendlandC6Formula>({Paper::literature, "Wendland 1995"})};
 }  // namespace
+}  // namespace wendland_c6_claims

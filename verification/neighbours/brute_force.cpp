@@ -6,6 +6,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+namespace brute_force_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -62,3 +63,4 @@ const Register claims_of_brute_force{
         .sabotaged = [] { return wrong_against_exact<3>(1.0 + 0x1p-52); }},
 };
 }  // namespace
+}  // namespace brute_force_claims

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace brute_force_test {
+
 // Every search against brute force, pair by pair. `plumbline_tests "[long]"` decides more than 1e8 pairs for
 // each search; the quick level of the same test is part of every run.
 
@@ -67,3 +69,5 @@ TEST_CASE("searches: no pair missing, none spurious, of 1e8 pairs for each searc
     CHECK(check_all<3>(3000) > 1e8);
     CHECK(check_all<2>(3000) > 1e8);
 }
+
+}  // namespace brute_force_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candidates_test {
+
 using namespace plumbline;
 
 TEST_CASE(
@@ -27,3 +29,5 @@ TEST_CASE(
         for (std::size_t k = n; k % candidates_per_step != 0; ++k) CHECK(std::isinf(test.x[0][k]));
     }
 }
+
+}  // namespace candidates_test

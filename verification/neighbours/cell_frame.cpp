@@ -3,6 +3,7 @@
 #include "solver/foundation/random.h"
 #include "verification/framework/registry.h"
 
+namespace cell_frame_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -76,3 +77,4 @@ const Register claims_of_cell_frame{
           .sabotaged = [] { return periodic_pairs_out_of_reach(false); }},
 };
 }  // namespace
+}  // namespace cell_frame_claims

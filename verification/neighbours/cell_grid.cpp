@@ -4,6 +4,7 @@
 #include "verification/neighbours/clouds.h"
 #include "verification/neighbours/searches.h"
 
+namespace cell_grid_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -96,3 +97,4 @@ const Register claims_of_cell_grid{
           .sabotaged = bytes_per_point_of_an_array_over_the_box},
 };
 }  // namespace
+}  // namespace cell_grid_claims

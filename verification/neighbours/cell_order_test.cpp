@@ -6,6 +6,8 @@
 
 #include <set>
 
+namespace cell_order_test {
+
 using namespace plumbline;
 
 TEMPLATE_TEST_CASE_SIG("cell order: every point once, in the cell it lies in, cells ascending", "",
@@ -51,3 +53,5 @@ TEST_CASE("cell order: other points, or in another order, are not held") {
     points.pop_back();
     CHECK_FALSE(order.holds(points));
 }
+
+}  // namespace cell_order_test

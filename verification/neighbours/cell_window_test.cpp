@@ -6,6 +6,7 @@
 
 #include <set>
 
+namespace cell_window_test {
 namespace {
 using namespace plumbline;
 
@@ -58,3 +59,5 @@ TEST_CASE("cell window: the same through the faces of a periodic box of 1, 2, 3 
         check_windows<true>(CellFrame<3>::filling(box, radius), points);
     }
 }
+
+}  // namespace cell_window_test

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+namespace endless_grid_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -95,3 +96,4 @@ const Register claims_of_endless_grid{
         .sabotaged = [] { return missed_far_out(1e30, Last::one_less); }},
 };
 }  // namespace
+}  // namespace endless_grid_claims

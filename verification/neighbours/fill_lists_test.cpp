@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace fill_lists_test {
+
 using namespace plumbline;
 
 TEST_CASE("sort_ascending: sorts lists of every length, and writes no more") {
@@ -36,3 +38,5 @@ TEST_CASE("fill_lists: the rows in order, the same for any number of threads") {
     const auto row = alone.of(8);
     CHECK(std::vector(row.begin(), row.end()) == std::vector<Index>{8, 16, 24});
 }
+
+}  // namespace fill_lists_test

@@ -9,6 +9,8 @@
 
 #include <limits>
 
+namespace grouped_search_test {
+
 using namespace plumbline;
 
 TEMPLATE_TEST_CASE("grouped searches: no points, one point", "", CellGrid<3>, LeafTree<3>,
@@ -68,3 +70,5 @@ TEMPLATE_TEST_CASE("grouped searches: lists are used again, for fewer points and
         CHECK(ascending(elsewhere) == search.query(queries));
     }
 }
+
+}  // namespace grouped_search_test

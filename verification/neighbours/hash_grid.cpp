@@ -11,6 +11,7 @@
 
 #include <set>
 
+namespace hash_grid_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -340,3 +341,4 @@ const Register claims_of_hash_grid{
           .sabotaged = memory_of_array_over_the_box},
 };
 }  // namespace
+}  // namespace hash_grid_claims

@@ -5,6 +5,7 @@
 #include "verification/neighbours/searches.h"
 #include "verification/neighbours/under_test.h"
 
+namespace kd_tree_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -157,3 +158,4 @@ const Register claims_of_kd_tree{
         .sabotaged = [] { return tested_at(1000.0).grid / tested_at(1.0 + 1e-9).grid; }},
 };
 }  // namespace
+}  // namespace kd_tree_claims

@@ -7,6 +7,8 @@
 
 #include <set>
 
+namespace leaf_order_test {
+
 using namespace plumbline;
 
 TEMPLATE_TEST_CASE_SIG("leaf order: every point once, in leaves that hold it, none too large", "",
@@ -69,3 +71,5 @@ TEST_CASE("leaf order: the same nodes, leaves and order with 1 thread and with 3
     CHECK(covered == points.size());
     CHECK(alone.nodes().front().next == alone.nodes().size());
 }
+
+}  // namespace leaf_order_test

@@ -3,6 +3,7 @@
 #include "verification/framework/registry.h"
 #include "verification/neighbours/packed_claims.h"
 
+namespace leaf_tree_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -66,3 +67,4 @@ const Register claims_of_leaf_tree{
           .sabotaged = [] { return distances_over_those_at_even_density<CellGrid<3>>(); }},
 };
 }  // namespace
+}  // namespace leaf_tree_claims

@@ -4,6 +4,7 @@
 #include "verification/framework/registry.h"
 #include "verification/neighbours/packed_claims.h"
 
+namespace level_grid_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -127,3 +128,4 @@ const Register claims_of_level_grid{
         .sabotaged = [] { return distances_over_those_at_even_density<CellGrid<3>>(); }},
 };
 }  // namespace
+}  // namespace level_grid_claims

@@ -6,6 +6,8 @@
 
 #include <set>
 
+namespace level_order_test {
+
 using namespace plumbline;
 
 TEMPLATE_TEST_CASE_SIG(
@@ -63,3 +65,5 @@ TEST_CASE("level order: coincident points end in one level, none at all in no le
     CHECK(order.size() == 0);
     CHECK(order.blocks() == 0);
 }
+
+}  // namespace level_order_test

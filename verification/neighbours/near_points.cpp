@@ -4,6 +4,7 @@
 #include "verification/framework/registry.h"
 #include "verification/neighbours/near_tests.h"
 
+namespace near_points_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -98,3 +99,4 @@ const Register claims_of_near_points{
           .sabotaged = [] { return lost_of_all(true); }},
 };
 }  // namespace
+}  // namespace near_points_claims

@@ -3,6 +3,7 @@
 #include "verification/framework/registry.h"
 #include "verification/neighbours/near_tests.h"
 
+namespace near_points_lanes_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -137,3 +138,4 @@ const Register claims_of_near_points_lanes{
           .sabotaged = [] { return differences_from_plain(1); }},
 };
 }  // namespace
+}  // namespace near_points_lanes_claims

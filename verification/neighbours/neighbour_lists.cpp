@@ -4,6 +4,7 @@
 #include "verification/neighbours/clouds.h"
 #include "verification/neighbours/searches.h"
 
+namespace neighbour_lists_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -140,3 +141,4 @@ const Register claims_of_all_searches{[] {
     return claims;
 }()};
 }  // namespace
+}  // namespace neighbour_lists_claims

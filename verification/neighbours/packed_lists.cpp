@@ -3,6 +3,7 @@
 #include "verification/framework/registry.h"
 #include "verification/neighbours/packed_claims.h"
 
+namespace packed_lists_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -188,3 +189,4 @@ const Register claims_of_packed_lists{
     memory_claim<float>("single"),
 };
 }  // namespace
+}  // namespace packed_lists_claims

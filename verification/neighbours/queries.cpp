@@ -8,6 +8,7 @@
 
 #include <rapidcheck.h>
 
+namespace queries_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -161,3 +162,4 @@ std::vector<Claim> claims_of_symmetries() {
 
 const Register claims_of_queries{claims_of_symmetries()};
 }  // namespace
+}  // namespace queries_claims

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+namespace queries_test {
 namespace {
 using namespace plumbline;
 using verification::for_each_search;
@@ -79,3 +80,5 @@ TEST_CASE("searches: a periodic box refuses points outside and radii of half its
     CHECK_THROWS_AS(PeriodicBox<2>({0, 0}, {1, 0}), InvalidInput);
     CHECK(box.wrap({-0.25, 4.5}) == Vec<2>(0.75, 0.5));
 }
+
+}  // namespace queries_test

@@ -6,6 +6,7 @@
 #include "verification/neighbours/packed_searches.h"
 #include "verification/neighbours/searches.h"
 
+namespace skin_lists_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -100,3 +101,4 @@ const Register claims_of_skin_lists{
           .sabotaged = [] { return missed_in_open_space<double>(true).builds; }},
 };
 }  // namespace
+}  // namespace skin_lists_claims

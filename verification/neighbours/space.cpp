@@ -5,6 +5,7 @@
 #include "verification/framework/oracle.h"
 #include "verification/framework/registry.h"
 
+namespace space_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -146,3 +147,4 @@ const Register claims_of_space{
           .sabotaged = [] { return gaps_too_wide(OpenSpace<2>{}, 1.0 + 0x1p-52); }},
 };
 }  // namespace
+}  // namespace space_claims

@@ -3,6 +3,7 @@
 #include "verification/framework/registry.h"
 #include "verification/particles/shells.h"
 
+namespace body_centred_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -41,3 +42,4 @@ const Register claims_of_body_centred{
           .sabotaged = [] { return volume_error_of(without_centres()); }},
 };
 }  // namespace
+}  // namespace body_centred_claims

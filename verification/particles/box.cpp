@@ -3,6 +3,7 @@
 #include "solver/particles/samplings.h"
 #include "verification/framework/registry.h"
 
+namespace box_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -64,3 +65,4 @@ const Register claims_of_box{
               }},
 };
 }  // namespace
+}  // namespace box_claims

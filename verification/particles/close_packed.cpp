@@ -4,6 +4,7 @@
 #include "verification/framework/registry.h"
 #include "verification/particles/shells.h"
 
+namespace close_packed_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -53,3 +54,4 @@ const Register claims_of_close_packed{
           .sabotaged = [] { return volume_error_of(all_sites()); }},
 };
 }  // namespace
+}  // namespace close_packed_claims

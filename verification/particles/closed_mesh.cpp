@@ -13,6 +13,7 @@
 #include <map>
 #include <numbers>
 
+namespace closed_mesh_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -235,3 +236,4 @@ const Register claims_of_closed_mesh{
           .sabotaged = [] { return differs_with_threads(true); }},
 };
 }  // namespace
+}  // namespace closed_mesh_claims

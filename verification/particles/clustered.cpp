@@ -3,6 +3,7 @@
 #include "solver/particles/halton.h"
 #include "verification/framework/registry.h"
 
+namespace clustered_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -55,3 +56,4 @@ const Register claims_of_clustered{
           .sabotaged = [] { return contrast_ratio(with_contrast_of_numbers(20000)); }},
 };
 }  // namespace
+}  // namespace clustered_claims

@@ -2,6 +2,7 @@
 
 #include "verification/framework/registry.h"
 
+namespace graded_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -73,3 +74,4 @@ const Register claims_of_graded{
               }},
 };
 }  // namespace
+}  // namespace graded_claims

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+namespace halton_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -130,3 +131,4 @@ const Register claims_of_halton{
           .sabotaged = [] { return plane_discrepancy_over_bound(with_one_base(3000)); }},
 };
 }  // namespace
+}  // namespace halton_claims

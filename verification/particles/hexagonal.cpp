@@ -3,6 +3,7 @@
 #include "verification/framework/registry.h"
 #include "verification/particles/shells.h"
 
+namespace hexagonal_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -39,3 +40,4 @@ const Register claims_of_hexagonal{
           .sabotaged = [] { return area_error(rows_at_one_spacing()); }},
 };
 }  // namespace
+}  // namespace hexagonal_claims

@@ -2,6 +2,7 @@
 
 #include "verification/framework/registry.h"
 
+namespace hilbert_order_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -67,3 +68,4 @@ const Register claims_of_hilbert{
           .sabotaged = points_lost_when_places_stand_for_points},
 };
 }  // namespace
+}  // namespace hilbert_order_claims

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+namespace jittered_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -79,3 +80,4 @@ const Register claims_of_jittered{
           .sabotaged = [] { return cells_without_one_point(uniform_random(cube, 1000, 1)); }},
 };
 }  // namespace
+}  // namespace jittered_claims

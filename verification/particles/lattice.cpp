@@ -3,6 +3,7 @@
 #include "verification/framework/registry.h"
 #include "verification/particles/shells.h"
 
+namespace lattice_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -107,3 +108,4 @@ const Register claims_of_lattice{
           .sabotaged = off_centre_at_low_corners},
 };
 }  // namespace
+}  // namespace lattice_claims

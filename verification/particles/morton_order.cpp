@@ -7,6 +7,7 @@
 
 #include <bitset>
 
+namespace morton_order_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -51,3 +52,4 @@ const Register claims_of_morton{
           .sabotaged = [] { return places_misread<3>(1); }},
 };
 }  // namespace
+}  // namespace morton_order_claims

@@ -4,6 +4,7 @@
 #include "solver/particles/uniform_random.h"
 #include "verification/framework/registry.h"
 
+namespace poisson_disc_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -112,3 +113,4 @@ const Register claims_of_poisson_disc{
               }},
 };
 }  // namespace
+}  // namespace poisson_disc_claims

@@ -2,6 +2,7 @@
 
 #include "verification/framework/registry.h"
 
+namespace samplings_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -76,3 +77,4 @@ const Register claims_of_samplings{
           .sabotaged = worst_count_with_the_cubic_spacing},
 };
 }  // namespace
+}  // namespace samplings_claims

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace space_filling_order_test {
+
 using namespace plumbline;
 
 TEST_CASE("points of one cell keep their order along a curve") {
@@ -21,3 +23,5 @@ TEST_CASE("no points have an empty order, and a coordinate that is not finite ha
     const Points<3> bad{{0.0, 0.0, 0.0}, {0.0, std::nan(""), 0.0}};
     CHECK_THROWS_WITH(hilbert_order<3>(bad), Catch::Contains("point 1"));
 }
+
+}  // namespace space_filling_order_test

@@ -2,6 +2,7 @@
 
 #include "verification/framework/registry.h"
 
+namespace uniform_random_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -38,3 +39,4 @@ const Register claims_of_uniform_random{
           .sabotaged = [] { return chi_squared_ratio(on_the_diagonal(100000)); }},
 };
 }  // namespace
+}  // namespace uniform_random_claims

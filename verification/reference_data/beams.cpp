@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+namespace beams_claims {
 namespace {
 using namespace verification;
 using Row = ReferenceRow;
@@ -173,3 +174,4 @@ const Register claims_of_beams{
           .sabotaged = [] { return plate(false); }},
 };
 }  // namespace
+}  // namespace beams_claims

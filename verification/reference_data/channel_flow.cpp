@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+namespace channel_flow_claims {
 namespace {
 using namespace verification;
 using Row = ReferenceRow;
@@ -65,3 +66,4 @@ const Register claims_of_channel_flow{
           .sabotaged = [] { return worst_couette(1); }},
 };
 }  // namespace
+}  // namespace channel_flow_claims

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+namespace docking_bands_claims {
 namespace {
 using namespace verification;
 using Row = ReferenceRow;
@@ -44,3 +45,4 @@ const Register claims_of_docking_bands{
           .sabotaged = [] { return bands(linear_in_ten_steps); }},
 };
 }  // namespace
+}  // namespace docking_bands_claims

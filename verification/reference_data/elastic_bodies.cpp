@@ -7,6 +7,7 @@
 
 #include <numbers>
 
+namespace elastic_bodies_claims {
 namespace {
 using namespace verification;
 using Row = ReferenceRow;
@@ -201,3 +202,4 @@ const Register claims_of_elastic_bodies{
           .sabotaged = [] { return worst_manufactured(true); }},
 };
 }  // namespace
+}  // namespace elastic_bodies_claims

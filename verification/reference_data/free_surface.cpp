@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+namespace free_surface_claims {
 namespace {
 using namespace verification;
 using Row = ReferenceRow;
@@ -115,3 +116,4 @@ const Register claims_of_free_surface{
         .sabotaged = [] { return standing_wave(-1); }},
 };
 }  // namespace
+}  // namespace free_surface_claims

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+namespace heat_claims {
 namespace {
 using namespace verification;
 using Row = ReferenceRow;
@@ -106,3 +107,4 @@ const Register claims_of_heat{
           .sabotaged = [] { return stefan_two_phases(false); }},
 };
 }  // namespace
+}  // namespace heat_claims

@@ -4,6 +4,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+namespace kernel_moments_claims {
 namespace {
 using namespace verification;
 
@@ -116,3 +117,4 @@ const Register claims_of_kernel_moments{
         .erratum = 17},
 };
 }  // namespace
+}  // namespace kernel_moments_claims

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+namespace origins_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -55,3 +56,5 @@ TEST_CASE("reference data: folders tell how far a table can be trusted", "[refer
         CHECK(std::set<std::string>{"analytic", "published", "independent"}.contains(
             entry.path().filename().string()));
 }
+
+}  // namespace origins_test

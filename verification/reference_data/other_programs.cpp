@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+namespace other_programs_claims {
 namespace {
 using namespace verification;
 using Row = ReferenceRow;
@@ -113,3 +114,4 @@ const Register claims_of_other_programs{
         .sabotaged = [] { return periods_that_shrink(true); }},
 };
 }  // namespace
+}  // namespace other_programs_claims

@@ -8,6 +8,7 @@
 #include <memory>
 #include <numbers>
 
+namespace publications_claims {
 namespace {
 using namespace verification;
 
@@ -128,3 +129,4 @@ const Register claims_of_publications{
           .sabotaged = [] { return sloshing_frequency_error(HUGE_VAL); }},
 };
 }  // namespace
+}  // namespace publications_claims

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+namespace steady_flow_claims {
 namespace {
 using namespace verification;
 using Row = ReferenceRow;
@@ -115,3 +116,4 @@ const Register claims_of_steady_flow{
           .sabotaged = [] { return manufactured_flow(0.02); }},
 };
 }  // namespace
+}  // namespace steady_flow_claims

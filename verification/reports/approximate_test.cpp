@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace approximate_test {
+
 using namespace reports;
 using plumbline::InvalidInput;
 using plumbline::parse_points;
@@ -86,3 +88,5 @@ TEST_CASE("approximate: bad input is refused with a reason") {
     CHECK_THROWS_AS(values("x,y\n0,0\n", at, "sph"), InvalidInput);
     CHECK_THROWS_AS(values("x,y,f\n0,0,nan\n", at, "sph"), InvalidInput);
 }
+
+}  // namespace approximate_test

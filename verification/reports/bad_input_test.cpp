@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace bad_input_test {
 namespace {
 using namespace verification;
 
@@ -243,3 +244,4 @@ TEST_CASE("a wrong scene gets a message with its place, and nothing is written")
     }
 }
 }  // namespace
+}  // namespace bad_input_test

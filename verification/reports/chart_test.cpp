@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <set>
 
+namespace chart_test {
 namespace {
 using reports::Chart;
 
@@ -80,3 +81,5 @@ TEST_CASE("the first 32 series can be told apart without colour") {
     }
     CHECK(styles.size() == 32);
 }
+
+}  // namespace chart_test

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace comparison_test {
 namespace {
 using reports::Change;
 using reports::Json;
@@ -86,3 +87,5 @@ TEST_CASE("compare: what is no result of plumbline is refused") {
     CHECK_THROWS_AS(reports::compare(claims({{{"id", "a"}}}), claims({{{"id", "a"}}})),
                     plumbline::InvalidInput);
 }
+
+}  // namespace comparison_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+namespace kernel_command_test {
+
 using Catch::Matchers::Message;
 using plumbline::InvalidInput;
 using reports::kernel_table;
@@ -52,3 +54,5 @@ TEST_CASE("numbers_of reads a list, and says which item is no number") {
     for (const char* wrong : {"", ",", "1,", "1,,2", "1;2", "0x", "1.5m", " 1"})
         CHECK_THROWS_AS(numbers_of(wrong), InvalidInput);
 }
+
+}  // namespace kernel_command_test

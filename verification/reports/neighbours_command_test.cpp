@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+namespace neighbours_command_test {
 namespace {
 using namespace verification;
 using nlohmann::json;
@@ -145,3 +146,5 @@ TEST_CASE("every study has a chart, also where nothing can be told") {
         }
     }
 }
+
+}  // namespace neighbours_command_test

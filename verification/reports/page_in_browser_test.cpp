@@ -8,6 +8,7 @@
 
 #include <filesystem>
 
+namespace page_in_browser_test {
 namespace {
 using reports::Json;
 
@@ -98,3 +99,5 @@ TEST_CASE("the browser test sees an error, a request and a missing chart") {
     CHECK(wrong.requests > 0);
     CHECK(wrong.dom.find("<title>0 of 1 pictures</title>") != std::string::npos);
 }
+
+}  // namespace page_in_browser_test

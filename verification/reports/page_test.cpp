@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+namespace page_test {
 namespace {
 using reports::Json;
 using verification::small_report;
@@ -51,3 +52,5 @@ TEST_CASE("a chart is the same after a round through JSON") {
     const Json json = small_report()["studies"][0]["chart"];
     CHECK(json_of(reports::chart_from(json), "s") == json);
 }
+
+}  // namespace page_test

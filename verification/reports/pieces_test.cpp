@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+namespace pieces_test {
 namespace {
 using reports::Json;
 using reports::Pieces;
@@ -66,3 +67,5 @@ TEST_CASE("the fingerprint tells runs with other options apart") {
     CHECK(reports::fingerprint("quick") == reports::fingerprint("quick"));
     CHECK(reports::fingerprint("quick") != reports::fingerprint("full"));
 }
+
+}  // namespace pieces_test

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace publish_test {
 namespace {
 using verification::ProgramRun;
 using verification::ScratchFolder;
@@ -44,3 +45,4 @@ TEST_CASE("nothing is published that no commit can draw again, or that is not th
     }
 }
 }  // namespace
+}  // namespace publish_test

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <sstream>
 
+namespace results_test {
 namespace {
 using namespace verification;
 using reports::Json;
@@ -70,3 +71,5 @@ TEST_CASE("JUnit is XML that counts what failed") {
     CHECK(names == std::vector<std::string>{"a.good", "a.bad", "b.weak"});
     CHECK(failed == std::vector<std::string>{"failed", "toothless"});
 }
+
+}  // namespace results_test

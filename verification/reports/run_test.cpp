@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+namespace run_test {
 namespace {
 using namespace verification;
 namespace fs = std::filesystem;
@@ -227,3 +228,4 @@ TEST_CASE("the example scenes are listed, and each can take a step") {
     }
 }
 }  // namespace
+}  // namespace run_test

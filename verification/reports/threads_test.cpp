@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 
+namespace threads_test {
 namespace {
 using namespace verification;
 using nlohmann::json;
@@ -83,3 +84,5 @@ TEST_CASE("what is left out is times, and nothing else is equal by being left ou
         R"({"a": [{"median_s": 1, "error": 2}], "noise": 3, "charts": [], "count": 4})"));
     CHECK(kept == json::parse(R"({"a": [{"error": 2}], "count": 4})"));
 }
+
+}  // namespace threads_test

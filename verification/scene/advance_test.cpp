@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace advance_test {
 namespace {
 using namespace plumbline;
 
@@ -47,3 +48,4 @@ TEST_CASE("bad steps are refused") {
     CHECK_THROWS_WITH(advance_by_limits(blown_up, 1.0), Catch::Contains("viscous"));
 }
 }  // namespace
+}  // namespace advance_test

@@ -4,6 +4,7 @@
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
 
+namespace algorithm_5_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -105,3 +106,4 @@ const Register neighbours{in_dimensions<2, 3>([]<int D>() {
     return claim;
 })};
 }  // namespace
+}  // namespace algorithm_5_claims

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+namespace checkpoint_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -103,3 +104,4 @@ const Register claims_of_checkpoint{
     continues("sph_2d", 2, "sph", forget_limits, "the limits of the time step"),
     continues("sph_3d", 3, "sph", forget_limits, "the limits of the time step")};
 }  // namespace
+}  // namespace checkpoint_claims

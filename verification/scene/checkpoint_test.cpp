@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace checkpoint_test {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -23,3 +24,4 @@ TEST_CASE("a state that is cut short, too long or of another size is refused") {
     CHECK_THROWS_WITH(simulation->load(huge), Catch::Contains("expected the number of positions"));
 }
 }  // namespace
+}  // namespace checkpoint_test

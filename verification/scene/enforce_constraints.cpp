@@ -4,6 +4,7 @@
 #include "verification/framework/property.h"
 #include "verification/framework/registry.h"
 
+namespace enforce_constraints_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -72,3 +73,4 @@ const Register elastic{in_dimensions<2, 3>([]<int Dim>() {
                  .sabotaged = [] { return change_of_speed<Dim>(0.0); }};
 })};
 }  // namespace
+}  // namespace enforce_constraints_claims

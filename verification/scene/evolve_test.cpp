@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace evolve_test {
 namespace {
 using namespace plumbline;
 
@@ -36,3 +37,4 @@ TEST_CASE("an array is advanced from where it was") {
     CHECK(q == std::vector<double>{6.0, 12.0});
 }
 }  // namespace
+}  // namespace evolve_test

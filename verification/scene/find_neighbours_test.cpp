@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace find_neighbours_test {
 namespace {
 using namespace plumbline;
 
@@ -39,3 +40,4 @@ TEST_CASE("ghosts are found near particles") {
     CHECK(lists.of(1).empty());
 }
 }  // namespace
+}  // namespace find_neighbours_test

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+namespace guarded_run_test {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -111,3 +112,4 @@ TEST_CASE("steps reach an event exactly, and leave no crumb") {
     CHECK_THROWS_AS(next_step(file, limits, 0.0, 1.0), SimulationFailed);
 }
 }  // namespace
+}  // namespace guarded_run_test

@@ -4,6 +4,7 @@
 #include "verification/framework/registry.h"
 #include "verification/scene/oscillator.h"
 
+namespace leapfrog_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -93,3 +94,4 @@ const Register claims_of_leapfrog{
                                error_at_end(oscillator(0.2), dt, 0.2), without_prediction(dt, 0.2)};
         }}};
 }  // namespace
+}  // namespace leapfrog_claims

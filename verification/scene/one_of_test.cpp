@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace one_of_test {
 namespace {
 using namespace plumbline;
 
@@ -27,3 +28,4 @@ TEST_CASE("what any of the passes writes is stored, what all of them need is rea
     STATIC_REQUIRE(std::is_same_v<OneOf<Skip, ScaleTension>::Writes, Quantities<Pressure>>);
 }
 }  // namespace
+}  // namespace one_of_test

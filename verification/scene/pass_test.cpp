@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace pass_test {
 namespace {
 using namespace plumbline;
 struct A {
@@ -35,3 +36,4 @@ TEST_CASE("passes read from outside what none of them writes") {
     STATIC_REQUIRE(std::is_same_v<ReadFromOutside<AddOneToA, DoubleAIntoB>, Quantities<>>);
 }
 }  // namespace
+}  // namespace pass_test

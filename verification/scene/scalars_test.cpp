@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+namespace scalars_test {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -44,3 +45,4 @@ TEST_CASE("probes average over the particles around, and are 0 in air") {
     CHECK(std::isnan(read(Probe::Quantity::height, 0.1, 0.0)));
 }
 }  // namespace
+}  // namespace scalars_test

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace scene_file_test {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -106,3 +107,4 @@ TEST_CASE("probes have names of their own, and heights need gravity") {
           std::string::npos);
 }
 }  // namespace
+}  // namespace scene_file_test

@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace scene_test {
 namespace {
 using namespace plumbline;
 
@@ -71,3 +72,4 @@ TEST_CASE("a scene of no particles can be stepped") {
     CHECK_NOTHROW(scene.step(1e-3));
 }
 }  // namespace
+}  // namespace scene_test

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace sort_particles_test {
 namespace {
 using namespace plumbline;
 
@@ -42,3 +43,4 @@ TEST_CASE("a scene of no particles can be sorted") {
     CHECK_NOTHROW(sort_particles<2>(scene, 1.0));
 }
 }  // namespace
+}  // namespace sort_particles_test

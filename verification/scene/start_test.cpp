@@ -6,6 +6,7 @@
 
 #include <numeric>
 
+namespace start_test {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -95,3 +96,4 @@ TEST_CASE("blocks that overlap, are empty, or tanks that do not fit the spacing 
                       Catch::Contains("multiples of the spacing 0.02, found 1.01"));
 }
 }  // namespace
+}  // namespace start_test

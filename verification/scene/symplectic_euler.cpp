@@ -3,6 +3,7 @@
 #include "verification/framework/registry.h"
 #include "verification/scene/oscillator.h"
 
+namespace symplectic_euler_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -97,3 +98,4 @@ const Register claims_of_symplectic_euler{
             "\"a simple explicit integration scheme\"",
             "symplectic (semi-implicit) Euler: x moves with the new velocity; order 1"}};
 }  // namespace
+}  // namespace symplectic_euler_claims

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace time_step_test {
 namespace {
 using namespace plumbline;
 
@@ -41,3 +42,4 @@ TEST_CASE("no acceleration, no limit") {
     CHECK(limits.force == HUGE_VAL);
 }
 }  // namespace
+}  // namespace time_step_test

@@ -4,6 +4,7 @@
 #include "verification/framework/registry.h"
 #include "verification/scene/oscillator.h"
 
+namespace two_stage_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -71,3 +72,4 @@ const Register claims_of_two_stage{
                                error_at_end(by_euler(0.2), dt, 0.2)};
         }}};
 }  // namespace
+}  // namespace two_stage_claims

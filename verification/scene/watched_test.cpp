@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace watched_test {
 namespace {
 using namespace plumbline;
 
@@ -40,3 +41,4 @@ TEST_CASE("an armed watch names the strongest term and the first number that is 
     CHECK(watch.strongest == Approx(9.0));
 }
 }  // namespace
+}  // namespace watched_test

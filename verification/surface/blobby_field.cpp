@@ -4,6 +4,7 @@
 #include "verification/framework/registry.h"
 #include "verification/surface/particle_surface.h"
 
+namespace blobby_field_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -29,3 +30,4 @@ const Register sphere{in_dimensions<2, 3>([]<int Dim>() {
         .sabotaged = [] { return error_of_radius<Dim>(1.0 / 2.0); }};
 })};
 }  // namespace
+}  // namespace blobby_field_claims

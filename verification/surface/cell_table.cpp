@@ -7,6 +7,7 @@
 
 #include <bit>
 
+namespace cell_table_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -128,3 +129,4 @@ const Register outwards{in_dimensions<2, 3>([]<int Dim>() {
                  .sabotaged = [] { return cases_facing_inwards(turned_inside_out<Dim>()); }};
 })};
 }  // namespace
+}  // namespace cell_table_claims

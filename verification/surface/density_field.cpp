@@ -5,6 +5,7 @@
 #include "verification/framework/registry.h"
 #include "verification/surface/particle_surface.h"
 
+namespace density_field_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -35,3 +36,4 @@ const Register plane{in_dimensions<2, 3>([]<int Dim>() {
         .sabotaged = [] { return off_the_plane<Dim>(0.25); }};
 })};
 }  // namespace
+}  // namespace density_field_claims

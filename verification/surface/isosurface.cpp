@@ -7,6 +7,7 @@
 
 #include <numbers>
 
+namespace isosurface_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -131,3 +132,4 @@ const Register ring_topology{
           .measure = [] { return std::abs(euler_number_of_ring(1.0)); },
           .sabotaged = [] { return std::abs(euler_number_of_ring(0.2)); }}};
 }  // namespace
+}  // namespace isosurface_claims

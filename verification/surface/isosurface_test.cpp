@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+namespace isosurface_test {
 namespace {
 using namespace plumbline;
 
@@ -65,3 +66,4 @@ TEST_CASE("a field without a value for each node, or without cells, is refused")
     CHECK_THROWS_WITH(isosurface(cube<2>(1), 0.0), Catch::Contains("at least 2 nodes"));
 }
 }  // namespace
+}  // namespace isosurface_test

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+namespace particle_field_test {
 namespace {
 using namespace plumbline;
 
@@ -40,3 +41,4 @@ TEST_CASE("the field does not depend on the number of threads") {
     set_thread_count(threads);
 }
 }  // namespace
+}  // namespace particle_field_test

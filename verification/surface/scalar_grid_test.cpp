@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+namespace scalar_grid_test {
 namespace {
 using namespace plumbline;
 
@@ -28,3 +29,4 @@ TEST_CASE("no grid around nothing, around infinity, or of too many nodes") {
                       Catch::Contains("at most 2^32 nodes"));
 }
 }  // namespace
+}  // namespace scalar_grid_test

@@ -4,6 +4,7 @@
 #include "verification/framework/registry.h"
 #include "verification/surface/particle_surface.h"
 
+namespace weighted_average_field_claims {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -65,3 +66,4 @@ const Register flat{in_dimensions<2, 3>([]<int Dim>() {
         .sabotaged = [] { return bumps<Dim>(Balls<Dim>{0.75}); }};
 })};
 }  // namespace
+}  // namespace weighted_average_field_claims
