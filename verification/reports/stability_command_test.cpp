@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+namespace stability_command_test {
 namespace {
 using namespace verification;
 using nlohmann::json;
@@ -33,3 +34,5 @@ TEST_CASE("stability names what there is if no map matches") {
     CHECK(run.exit_code == 3);
     CHECK(run.err.find("list maps") != std::string::npos);
 }
+
+}  // namespace stability_command_test
