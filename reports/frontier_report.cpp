@@ -138,8 +138,8 @@ Quantity quantity_of(const std::string& task) {
     for (const Quantity quantity : quantities)
         if (task == task_of(quantity)) return quantity;
     throw plumbline::InvalidInput(
-        "frontier: expected a task of approximation, gradient, laplacian, "
-        "found \"" +
+        "frontier: expected a task of approximation, gradient, laplacian, taylor_green, "
+        "hydrostatic, dam_break, found \"" +
         task + "\"");
 }
 

@@ -1,4 +1,5 @@
 #include "benchmarks/approximation/frontier.h"
+#include "benchmarks/framework/pareto.h"
 #include "verification/framework/statistics.h"
 
 #include <fmt/format.h>
@@ -56,17 +57,7 @@ Situations by_situation(const std::vector<Candidate>& candidates) {
 
 std::vector<std::size_t> pareto_front(const std::vector<Candidate>& candidates,
                                       const std::function<double(const Candidate&)>& cost) {
-    std::vector<std::size_t> order;
-    for (std::size_t k = 0; k < candidates.size(); ++k)
-        if (!candidates[k].failed()) order.push_back(k);
-    std::ranges::sort(order, {}, [&](std::size_t k) {
-        return std::pair(cost(candidates[k]), candidates[k].error);
-    });
-    std::vector<std::size_t> front;
-    for (const std::size_t k : order)
-        if (front.empty() || candidates[k].error < candidates[front.back()].error)
-            front.push_back(k);
-    return front;
+    return pareto_front_of(candidates, cost);
 }
 
 std::vector<PrecomputedRatio> precomputed_ratios(const std::vector<Candidate>& candidates,

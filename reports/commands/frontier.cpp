@@ -1,6 +1,7 @@
 #include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/files.h"
+#include "reports/fluid_frontier_report.h"
 #include "reports/frontier_report.h"
 #include "reports/interrupt.h"
 
@@ -15,7 +16,8 @@ using benchmarks::Candidate;
 using benchmarks::Frontier;
 
 struct Options {
-    std::vector<std::string> tasks{"approximation", "gradient"};
+    std::vector<std::string> tasks{"approximation", "gradient", "taylor_green", "hydrostatic",
+                                   "dam_break"};
     std::vector<int> dims{2, 3};
     std::string json, directory;
     bool quick = false;
@@ -59,20 +61,50 @@ void write_files(const Frontier& frontier, const std::filesystem::path& folder) 
     fmt::print(stderr, "wrote {}\n", table.string());
 }
 
+void print(const benchmarks::FluidFrontier& frontier) {
+    fmt::print("{}: {}\n\n", frontier.task, frontier.finding);
+    fmt::print("{:<20} {:<14} {:>10} {:>6} {:>6} {:>8} {:>10} {:>9} {}\n", "method", "kernel",
+               "resolution", "h/dx", "sound", "courant", "error", "s", "");
+    for (const benchmarks::FluidCandidate& c : frontier.candidates)
+        fmt::print("{:<20} {:<14} {:>10} {:>6.1f} {:>6.0f} {:>8.2f} {:>10} {:>9.3f} {}\n", c.method,
+                   c.kernel, c.resolution, c.support_in_spacings, c.sound, c.courant,
+                   c.error < HUGE_VAL ? fmt::format("{:.2e}", c.error) : "none", c.seconds,
+                   c.on_front ? "on the front" : c.failure);
+    fmt::print("\n");
+}
+
+void write_files(const benchmarks::FluidFrontier& frontier, const std::filesystem::path& folder) {
+    const std::string name = "frontier_" + frontier.task;
+    const DrawnChart files = draw(chart_of(frontier), folder, name);
+    const std::filesystem::path table = folder / (name + "_runs.csv");
+    write_file(table, csv_of(frontier));
+    fmt::print(stderr, "wrote {}\nwrote {}\n", files.svg.string(), table.string());
+}
+
+bool is_fluid(const std::string& task) {
+    return std::ranges::count(benchmarks::fluid_tasks(), task) > 0;
+}
+
 ExitCode frontier(const Options& options) {
     using verification::Effort;
-    std::vector<verification::Quantity> quantities;
-    for (const std::string& task : options.tasks) quantities.push_back(quantity_of(task));
+    for (const std::string& task : options.tasks)  // before the first takes minutes
+        if (!is_fluid(task)) quantity_of(task);
     Json results = Json::array();
     const Effort effort = options.quick ? Effort::quick : Effort::full;
-    for (const verification::Quantity quantity : quantities)
-        for (const int dim : options.dims) {
-            const Frontier measured = benchmarks::measure_frontier(
-                quantity, dim, effort, [](double) { stop_if_interrupted(); });
-            results.push_back(json_of(measured));
-            if (options.json != "-") print(measured);
-            if (!options.directory.empty()) write_files(measured, options.directory);
+    const auto add = [&](const auto& measured) {
+        results.push_back(json_of(measured));
+        if (options.json != "-") print(measured);
+        if (!options.directory.empty()) write_files(measured, options.directory);
+    };
+    for (const std::string& task : options.tasks) {
+        if (is_fluid(task)) {
+            add(benchmarks::measure_fluids(task, effort, [] { stop_if_interrupted(); }));
+            continue;
         }
+        for (const int dim : options.dims)
+            add(benchmarks::measure_frontier(quantity_of(task), dim, effort,
+                                             [](double) { stop_if_interrupted(); }));
+    }
     if (!options.json.empty()) write_json(document("frontiers", std::move(results)), options.json);
     return ExitCode::ok;
 }
@@ -81,9 +113,11 @@ const RegisterCommand command{
     {"frontier", "error against time of every method for a task, and the Pareto front",
      [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
-         line.add_option("task", options->tasks, "approximation, gradient, laplacian")
+         line.add_option("task", options->tasks,
+                         "approximation, gradient, laplacian; fluids: taylor_green, "
+                         "hydrostatic, dam_break")
              .show_default();
-         line.add_option("--dim", options->dims, "2, 3, or both")
+         line.add_option("--dim", options->dims, "2, 3, or both; fluids are in 2D")
              .separated_by_commas()
              .check(one_of<int>({2, 3}))
              .show_default();

@@ -31,7 +31,7 @@ void fill(Scene& scene, const Channel& c, double width, const TaitEquation& tait
 }  // namespace
 
 ChannelState simulate(const Channel& c, double duration) {
-    const double h = c.support * c.spacing, width = 8.0 * c.spacing, c0 = 10.0;
+    const double h = c.support * c.spacing, width = 8.0 * c.spacing, c0 = c.speed_of_sound;
     const W w(h);
     const TaitEquation tait(1.0, c0, 7.0);
     const Box box(Vec<2>(0.0, -1.0), Vec<2>(width, 2.0));
@@ -41,11 +41,11 @@ ChannelState simulate(const Channel& c, double duration) {
                 TwoStage{Evolve<2, Density>{}, WrapIntoBox<2>{box},
                          FindNeighbours<2, Search>{h, Search(box)},
                          FindGhosts<2, Search>{h, Search(box)}, Continuity<W, Box>{w},
-                         GhostContinuity<W, Box>{w}, DensityDiffusion<W, Box>{w, 0.1, c0},
+                         GhostContinuity<W, Box>{w}, DensityDiffusion<W, Box>{w, c.diffusion, c0},
                          TaitPressure{tait}, Gravity<2>{c.gravity}, PressureForce<W, Box>{w},
                          GhostPressureForce<W, Box>{w}, BrookshawViscosity<W, Box>{w, c.viscosity},
                          GhostViscosity<W, Box>{w, c.slip ? 0.0 : c.viscosity}},
-                AcousticLimit<2>{tait, h},
+                AcousticLimit<2>{tait, h, c.courant},
                 ViscousLimit{c.viscosity, h}};
     fill(scene, c, width, tait);
     ChannelState end;

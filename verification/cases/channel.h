@@ -20,7 +20,7 @@
 namespace verification {
 
 /// Fluid between y = 0 and y = 1 [m], on a wall of ghosts or between two, without end along x; density
-/// 1, c₀ = 10, γ = 7.
+/// 1, γ = 7.
 struct Channel {
     double spacing = 0.05;
     double support = 3.0;  // in spacings
@@ -29,6 +29,7 @@ struct Channel {
     bool slip = false;          // ghosts take no part in viscosity
     bool lid = true;            // a second wall, at y = 1
     double speed_of_lid = 0.0;  // along x
+    double speed_of_sound = 10.0, diffusion = 0.1, courant = 0.4;
 };
 
 /// The fluid at the end.

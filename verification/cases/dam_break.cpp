@@ -39,18 +39,20 @@ std::vector<double> fronts(Scene scene, const std::vector<double>& T, double uni
     return Z;
 }
 std::vector<double> weakly_compressible(int particles_per_base, const std::vector<double>& T,
-                                        bool mistaken) {
-    const double d = 1.0 / particles_per_base;
-    return fronts(
-        scene_of<2, double>(DamBreak<2>{.tank = {5.0, 2.5}, .water = {1.0, 2.0}, .spacing = d}), T,
-        unit_of_time(mistaken), d, HUGE_VAL, [](const auto& scene) { return front<2>(scene); });
+                                        bool mistaken, DamBreak<2> how = {}) {
+    how.tank = {5.0, 2.5}, how.water = {1.0, 2.0}, how.spacing = 1.0 / particles_per_base;
+    return fronts(scene_of<2, double>(how), T, unit_of_time(mistaken), how.spacing, HUGE_VAL,
+                  [](const auto& scene) { return front<2>(scene); });
 }
 std::vector<double> incompressible(int particles_per_base, const std::vector<double>& T,
-                                   bool mistaken) {
+                                   bool mistaken, double support = 2.0, double courant = 0.4) {
     const double d = 1.0 / particles_per_base;
-    return fronts(scene_of<2, double>(
-                      IncompressibleTank<2>{.tank = {6.0, 2.5}, .water = {1.0, 2.0}, .spacing = d}),
-                  T, unit_of_time(mistaken), d, 5e-3, [](const auto& scene) {
+    return fronts(scene_of<2, double>(IncompressibleTank<2>{.tank = {6.0, 2.5},
+                                                            .water = {1.0, 2.0},
+                                                            .spacing = d,
+                                                            .support = support,
+                                                            .courant = courant}),
+                  T, unit_of_time(mistaken), d, courant / 0.4 * 5e-3, [](const auto& scene) {
                       double farthest = 0.0;
                       for (const Vec<2>& x : scene.template get<Positions<2>>())
                           farthest = std::max(farthest, x[0]);
@@ -134,5 +136,23 @@ const Register claims_of_dam_break{
           .bound = at_most(1.0, "within the uncertainty of both, no error of the model is seen"),
           .measure = [] { return validation_metric(false); },
           .sabotaged = [] { return validation_metric(true); }}};
+
+double front_error(int particles_per_base, DamBreak<2> how) {
+    const Experiment experiment;
+    return deviation(weakly_compressible(particles_per_base, experiment.T, false, how),
+                     experiment.Z);
+}
+double front_error(int particles_per_base, double support, double courant) {
+    const Experiment experiment;
+    return deviation(incompressible(particles_per_base, experiment.T, false, support, courant),
+                     experiment.Z);
+}
 }  // namespace
 }  // namespace dam_break_claims
+
+double verification::error_of_front(int particles_per_base, DamBreak<2> how) {
+    return dam_break_claims::front_error(particles_per_base, how);
+}
+double verification::error_of_front(int particles_per_base, double support, double courant) {
+    return dam_break_claims::front_error(particles_per_base, support, courant);
+}

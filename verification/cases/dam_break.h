@@ -22,9 +22,10 @@ template <int Dim> struct DamBreak {
     double alpha = 0.1;               // artificial viscosity
     double diffusion = 0.1;           // of the density
     double courant = 0.2;  // Δt over h/(c₀ + v) and √(h/a), h being half of the support
+    double sound = 20.0;   // c₀ over √(g H)
     double gravity = 9.81, rest_density = 1000.0;
 
-    double speed_of_sound() const { return 20.0 * std::sqrt(gravity * water[Dim - 1]); }
+    double speed_of_sound() const { return sound * std::sqrt(gravity * water[Dim - 1]); }
     plumbline::TaitEquation equation() const { return {rest_density, speed_of_sound(), 7.0}; }
 };
 
@@ -77,5 +78,9 @@ template <int Dim, class Scene> double front(const Scene& scene) {
         if (wall[i] == 0) farthest = std::max(farthest, x[i][0]);
     return farthest;
 }
+
+/// √ mean (Z/Z_D − 1)² over the fronts of Martin and Moyce 1952, n² = 2, in the plane; the tank, the water and the
+/// spacing are set, what else `how` has is taken.
+double error_of_front(int particles_per_base, DamBreak<2> how);
 
 }  // namespace verification

@@ -10,17 +10,23 @@ using namespace plumbline;
 
 constexpr int layers = 20;
 
+/// A column of 1 m in a narrow tank, with g = 1 m/s².
+template <int Dim> IncompressibleTank<Dim> narrow_tank(double d, double support, bool walls) {
+    Vec<Dim> water = Vec<Dim>::Constant(4.0 * d), tank = water;
+    water[Dim - 1] = 1.0, tank[Dim - 1] = 1.2;
+    return {.tank = tank,
+            .water = water,
+            .spacing = d,
+            .support = support,
+            .walls = walls,
+            .gravity = 1.0,
+            .rest_density = 1.0};
+}
+
 /// |mean of p/(ρ₀ g (H − y)) − 1| over the lower half of a column of 20 layers, from 0.5 s to 1 s after its start.
 template <int Dim> double error_of_pressure(bool walls) {
     const double d = 1.0 / layers;
-    Vec<Dim> water = Vec<Dim>::Constant(4.0 * d), tank = water;
-    water[Dim - 1] = 1.0, tank[Dim - 1] = 1.2;
-    auto scene = scene_of<Dim, double>({.tank = tank,
-                                        .water = water,
-                                        .spacing = d,
-                                        .walls = walls,
-                                        .gravity = 1.0,
-                                        .rest_density = 1.0});
+    auto scene = scene_of<Dim, double>(narrow_tank<Dim>(d, 2.0, walls));
     const double dt = 0.01;
     double total = 0.0, count = 0.0;
     for (int n = 0; n < 100; ++n) {
@@ -99,5 +105,22 @@ const Register steps{
                   const double v = std::sqrt(2.0 * 9.81 * 1.0);
                   return collapse(0.1).mean_step / (0.4 * 0.1 / (11.0 * v));
               }}};
+
+double column_error(double spacing, double support, double longest_step) {
+    auto scene = scene_of<2, double>(narrow_tank<2>(spacing, support, true));
+    advance_by_limits(scene, 1.0, longest_step);
+    const auto& x = scene.get<Positions<2>>();
+    const auto& p = scene.get<Pressure>();
+    double squares = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (x[i][1] < 0.15 || x[i][1] > 0.85) continue;
+        squares += std::pow(p[i] - (1.0 - x[i][1]), 2), count += 1.0;
+    }
+    return std::sqrt(squares / count);
+}
 }  // namespace
 }  // namespace incompressible_tank_claims
+
+double verification::error_of_column(double spacing, double support, double longest_step) {
+    return incompressible_tank_claims::column_error(spacing, support, longest_step);
+}

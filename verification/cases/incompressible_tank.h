@@ -75,4 +75,11 @@ template <int Dim, class Real> auto scene_of(const IncompressibleTank<Dim>& c) {
     return scene;
 }
 
+/// The root mean square of p/(ρ₀ g H) − (1 − y/H), over what is farther than 3/20 H from floor and surface, of a column
+/// 4 spacings wide, 1 m high, with g = 1 m/s², after 1 s.
+double error_of_column(double spacing, double support, double longest_step);
+
+/// The same norm of Z/Z_D − 1, the fronts of Martin and Moyce 1952 (see dam_break.cpp).
+double error_of_front(int particles_per_base, double support, double courant);
+
 }  // namespace verification

@@ -180,6 +180,7 @@ const std::vector<BadInput> table{
 
     {{"frontier", "--dim", "4"}, "--dim: 4 not in {2,3}"},
     {{"frontier", "everything"}, "everything"},
+    {{"frontier", "--quick", "hydrostatic", "water"}, "dam_break, found \"water\""},
     {{"frontier", "gradient", "-o", "good.csv"}, "found \"good.csv\": that is a file"},
 
     {{"stability", "-o", "good.csv"}, "found \"good.csv\": that is a file"},

@@ -72,6 +72,10 @@ TEST_CASE("apart from times frontiers do not depend on the number of threads, no
     check_that_results_are_equal({"frontier", "--quick", "approximation", "--dim", "2"},
                                  "frontiers");
 }
+TEST_CASE(
+    "apart from times frontiers of fluids do not depend on the number of threads, nor on the run") {
+    check_that_results_are_equal({"frontier", "--quick", "hydrostatic"}, "frontiers");
+}
 TEST_CASE("maps of stability do not depend on the number of threads, nor on the run") {
     check_that_results_are_equal({"stability", "--quick", "pairing"}, "maps");
 }
