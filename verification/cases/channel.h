@@ -41,4 +41,12 @@ struct ChannelState {
 
 ChannelState simulate(const Channel& channel, double duration);
 
+/// The velocities of a standing wave on the fluid, of depth 1 and of the length 2 (k = π), that starts flat.
+struct StandingWave {
+    double frequency;  // ω = π/(2t), t when the velocities vanish for the first time [1/s]
+    double decay;      // −ln of how much of them there is, the other way round, at 2t
+};
+/// `steepness` is k a, a the height of the wave.
+StandingWave standing_wave(Channel channel, double steepness);
+
 }  // namespace verification

@@ -33,19 +33,25 @@ struct DropResult {
     plumbline::Advance steps;
 };
 
-inline DropResult simulate(const EllipticalDrop& c, double duration) {
+/// The scene of the drop, without particles.
+inline auto empty_scene_of(const EllipticalDrop& c) {
     using namespace plumbline;
     using Search = CellGrid<2>;
     using W = WendlandC2<2>;
     const double h = c.support * c.spacing;
     const W w(h);
     const TaitEquation tait(1000.0, c.speed_of_sound, 7.0);
-    Scene scene{Given<Positions<2>, Velocities<2>, Masses, Density>{},
-                TwoStage{Evolve<2, Density>{}, FindNeighbours<2, Search>{h}, Continuity<W>{w},
-                         DensityDiffusion<W>{w, c.diffusion, c.speed_of_sound}, TaitPressure{tait},
-                         ScaleTension{c.zeta}, PressureForce<W>{w},
-                         ArtificialViscosity<W>{w, c.alpha, c.speed_of_sound}},
-                AcousticLimit<2>{tait, h}};
+    return Scene{Given<Positions<2>, Velocities<2>, Masses, Density>{},
+                 TwoStage{Evolve<2, Density>{}, FindNeighbours<2, Search>{h}, Continuity<W>{w},
+                          DensityDiffusion<W>{w, c.diffusion, c.speed_of_sound}, TaitPressure{tait},
+                          ScaleTension{c.zeta}, PressureForce<W>{w},
+                          ArtificialViscosity<W>{w, c.alpha, c.speed_of_sound}},
+                 AcousticLimit<2>{tait, h}};
+}
+
+inline DropResult simulate(const EllipticalDrop& c, double duration) {
+    using namespace plumbline;
+    auto scene = empty_scene_of(c);
     for (const Vec<2>& x : lattice<2>({Vec<2>::Constant(-1.0), Vec<2>::Constant(1.0)}, c.spacing)) {
         if (x.norm() > 1.0) continue;
         scene.get<Positions<2>>().push_back(x);
