@@ -16,9 +16,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Below minus this the error is taken to grow, not to rest on a floor.
-constexpr double flat_order = 0.25;
-
 /// One level of refinement: mean and variance of log e over its seeds.
 struct Level {
     double spacing, log_spacing, mean, variance;

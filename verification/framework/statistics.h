@@ -46,6 +46,9 @@ struct PowerLaw {
     double safety_factor;  // Fs: 1.25, or 3 where the last local order is outside [1/2, 2 formal]
 };
 
+/// An error that falls more slowly does not fall; one that grows faster does not rest on a floor.
+inline constexpr double flat_order = 0.25;
+
 /// `spacing`: n ≥ 2 levels, coarse to fine. `errors[level][seed]`: values that are not positive and
 /// finite are left out. `formal_order`: what theory expects; the fitted order where it is not given.
 /// Throws InvalidInput if fewer than two levels have a sample, if the lengths differ, or if the

@@ -16,9 +16,6 @@ constexpr double saturated_share = 0.5;
 constexpr double same_floor = 1.1;
 constexpr std::size_t fewest_levels = 4;
 
-/// An error that falls more slowly does not fall.
-constexpr double flat_order = 0.25;
-
 bool is_flat(const PowerLaw& fit) {
     return -flat_order < fit.confidence.low && fit.confidence.high < flat_order;
 }
@@ -68,10 +65,10 @@ PowerLaw fit_if_possible(const std::vector<double>& spacing,
         return std::ranges::any_of(level, [](double e) { return std::isfinite(e) && e > 0.0; });
     });
     if (answered >= 2) return fit_power_law(spacing, errors, formal_order(series));
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     PowerLaw none{};
-    none.order = none.grid_convergence_index = none.safety_factor = nan;
-    none.confidence = none.misfit = none.scatter = {nan, nan};
+    none.order = none.grid_convergence_index = none.safety_factor = unknown;
+    none.confidence = none.misfit = none.scatter = {unknown, unknown};
     return none;
 }
 

@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+namespace stability_column_map {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -155,3 +156,4 @@ const RegisterMap column{
                        "0.4 %",
         .finding = finding}};
 }  // namespace
+}  // namespace stability_column_map

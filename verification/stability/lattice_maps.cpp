@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+namespace stability_lattice_maps {
 namespace {
 using namespace plumbline;
 using namespace verification;
@@ -303,3 +304,4 @@ const Register claims_of_maps{
           .measure = [] { return growth_over(0.1); },
           .sabotaged = [] { return growth_over(0.09); }}};
 }  // namespace
+}  // namespace stability_lattice_maps
