@@ -9,7 +9,7 @@
 #include <map>
 #include <memory>
 
-namespace reports {
+namespace reports::approximate_command {
 namespace {
 using nlohmann::ordered_json;
 using plumbline::PointFile;
@@ -136,4 +136,4 @@ const RegisterCommand command{
          return [options] { return run(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::approximate_command

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace reports {
+namespace reports::compare_command {
 namespace {
 struct Options {
     std::string before, now, json;
@@ -56,4 +56,4 @@ const RegisterCommand command{
          return [options] { return compare_files(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::compare_command

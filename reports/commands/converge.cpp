@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace reports {
+namespace reports::converge_command {
 namespace {
 using namespace verification;
 
@@ -116,4 +116,4 @@ const RegisterCommand command{
          return [options] { return converge(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::converge_command

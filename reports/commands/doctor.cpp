@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace reports {
+namespace reports::doctor_command {
 namespace {
 struct Tool {
     const char *name, *needed_for, *install;
@@ -93,4 +93,4 @@ const RegisterCommand command{
          return [json] { return doctor(*json); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::doctor_command

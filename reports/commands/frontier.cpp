@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace reports {
+namespace reports::frontier_command {
 namespace {
 using benchmarks::Candidate;
 using benchmarks::Frontier;
@@ -131,4 +131,4 @@ const RegisterCommand command{
          return [options] { return frontier(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::frontier_command

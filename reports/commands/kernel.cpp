@@ -9,7 +9,7 @@
 #include <charconv>
 #include <memory>
 
-namespace reports {
+namespace reports::kernel_command {
 
 namespace {
 using nlohmann::ordered_json;
@@ -138,4 +138,4 @@ std::vector<double> numbers_of(std::string_view list) {
     return numbers;
 }
 
-}  // namespace reports
+}  // namespace reports::kernel_command

@@ -13,7 +13,7 @@
 #include <map>
 #include <memory>
 
-namespace reports {
+namespace reports::list_command {
 namespace {
 Json row(const std::string& id, const std::string& source, const std::string& says) {
     return {{"id", id}, {"source", source}, {"says", says}};
@@ -116,4 +116,4 @@ const RegisterCommand command{
          return [options] { return list(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::list_command

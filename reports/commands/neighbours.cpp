@@ -19,7 +19,7 @@
 #include <map>
 #include <memory>
 
-namespace reports {
+namespace reports::neighbours_command {
 namespace {
 using namespace plumbline;
 using namespace benchmarks;
@@ -67,11 +67,11 @@ CaseResult measure_file(const Options& options, const PointFile& file, const Sea
             s.radius ? *s.radius : radius_with_neighbours(cloud.points, usual_neighbours);
     }
     reorder(cloud, s.order);
-    ComparisonOptions how = reports::how(options);
-    how.spacings = s.spacings;
-    how.moved = s.moved;
-    how.own_radii = s.own_radii;
-    return compare(std::move(cloud), how);
+    ComparisonOptions chosen = how(options);
+    chosen.spacings = s.spacings;
+    chosen.moved = s.moved;
+    chosen.own_radii = s.own_radii;
+    return compare(std::move(cloud), chosen);
 }
 
 std::vector<SearchStudy> studies_of(Options& options) {
@@ -223,4 +223,4 @@ const RegisterCommand command{
          return [options] { return neighbours(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::neighbours_command

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-namespace reports {
+namespace reports::publish_command {
 namespace {
 namespace fs = std::filesystem;
 
@@ -63,4 +63,4 @@ const RegisterCommand command{
          return [options] { return publish(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::publish_command

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace reports {
+namespace reports::report_command {
 namespace {
 struct Options {
     std::string folder = "report", baseline;
@@ -90,4 +90,4 @@ const RegisterCommand command{
          return [options] { return make_report(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::report_command

@@ -8,7 +8,7 @@
 #include <csignal>
 #include <memory>
 
-namespace reports {
+namespace reports::run_command {
 namespace {
 struct Options {
     std::string scene;
@@ -44,4 +44,4 @@ const RegisterCommand command{
          return [options] { return run(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::run_command

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-namespace reports {
+namespace reports::stability_command {
 namespace {
 using namespace verification;
 
@@ -88,4 +88,4 @@ const RegisterCommand command{
          return [options] { return stability(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::stability_command

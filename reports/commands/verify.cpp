@@ -11,7 +11,7 @@
 #include <fstream>
 #include <memory>
 
-namespace reports {
+namespace reports::verify_command {
 namespace {
 using namespace verification;
 
@@ -159,4 +159,4 @@ const RegisterCommand command{
          return [options] { return verify(*options); };
      }}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::verify_command

@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace reports {
+namespace reports::changes_section {
 namespace {
 std::string class_of(const std::string& verdict) {
     return verdict == "worse" ? "bad" : verdict == "cannot tell" ? "open" : "ok";
@@ -35,4 +35,4 @@ Json view(const Json& report) {
 const RegisterSection section{
     {20, "changes", "What has changed", [](ReportRun&) {}, view, templates::changes}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::changes_section

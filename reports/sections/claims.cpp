@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace reports {
+namespace reports::claims_section {
 namespace {
 constexpr double seconds_per_claim = 120.0;
 
@@ -66,4 +66,4 @@ Json view_of_claims(const Json& report) {
 const RegisterSection section{
     {70, "claims", "Every claim", measure_claims, view_of_claims, templates::claims}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::claims_section

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace reports {
+namespace reports::convergence_section {
 namespace {
 using namespace verification;
 
@@ -62,4 +62,4 @@ Json view(const Json& report) {
 const RegisterSection section{{40, "convergence", "Does the error fall as theory says?",
                                measure_studies, view, templates::convergence}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::convergence_section

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace reports {
+namespace reports::errata_section {
 namespace {
 /// The errata, each with the claims of the report that measure its printed and its corrected form.
 constexpr double seconds_per_claim = 120.0;
@@ -66,4 +66,4 @@ Json view(const Json& report) {
 const RegisterSection section{
     {90, "errata", "What the text has wrong, measured", collect, view, templates::errata}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::errata_section

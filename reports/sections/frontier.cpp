@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace reports {
+namespace reports::frontier_section {
 namespace {
 using verification::Effort;
 using verification::Quantity;
@@ -73,4 +73,4 @@ Json view(const Json& report) {
 const RegisterSection section{
     {30, "frontier", "What does accuracy cost?", measure_frontiers, view, templates::frontier}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::frontier_section

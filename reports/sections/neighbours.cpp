@@ -10,7 +10,7 @@
 
 #include <optional>
 
-namespace reports {
+namespace reports::neighbours_section {
 namespace {
 using namespace benchmarks;
 
@@ -135,4 +135,4 @@ Json view(const Json& report) {
 const RegisterSection section{{60, "neighbours", "Which neighbour search is the fastest?",
                                measure_searches, view, templates::neighbours}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::neighbours_section

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace reports {
+namespace reports::provenance_section {
 namespace {
 void measure(ReportRun& run) {
     run.report["noise"] = run.piece("noise", "measuring the noise floor of this machine", [] {
@@ -43,4 +43,4 @@ Json view(const Json& report) {
 const RegisterSection section{
     {100, "provenance", "Where these numbers come from", measure, view, templates::provenance}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::provenance_section

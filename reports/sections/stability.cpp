@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace reports {
+namespace reports::stability_section {
 namespace {
 using namespace verification;
 
@@ -54,4 +54,4 @@ Json view(const Json& report) {
 const RegisterSection section{
     {50, "stability", "Where do fluids break?", measure_maps, view, templates::stability}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::stability_section

@@ -4,7 +4,7 @@
 #include "reports/sections/section.h"
 #include "reports/words.h"
 
-namespace reports {
+namespace reports::traceability_section {
 namespace {
 /// A statement is as good as the worst of its claims.
 std::string worst_verdict(const Json& claims, const Json& ids) {
@@ -48,4 +48,4 @@ Json view(const Json& report) {
 const RegisterSection section{{80, "traceability", "From each equation to its claims", collect,
                                view, templates::traceability}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::traceability_section

@@ -109,20 +109,20 @@ FluidBlock read_block(Section& s, const SceneFile& scene) {
     }
     block.velocity = s.vector("velocity", scene.dim, Vec<3>::Zero());
     block.stretching = Vec<3>(s.vector("stretching", scene.dim, Vec<3>::Zero())).asDiagonal();
-    block.sampling =
-        scene.dim == 2
-            ? s.choice<Sampling>("sampling",
-                                 {{"lattice", Sampling::lattice},
-                                  {"jittered", Sampling::jittered},
-                                  {"hexagonal", Sampling::hexagonal}},
-                                 true)
-            : s.choice<Sampling>("sampling",
-                                 {{"lattice", Sampling::lattice}, {"jittered", Sampling::jittered}},
-                                 true);
+    block.sampling = scene.dim == 2
+                         ? s.choice<FluidSampling>("sampling",
+                                                   {{"lattice", FluidSampling::lattice},
+                                                    {"jittered", FluidSampling::jittered},
+                                                    {"hexagonal", FluidSampling::hexagonal}},
+                                                   true)
+                         : s.choice<FluidSampling>("sampling",
+                                                   {{"lattice", FluidSampling::lattice},
+                                                    {"jittered", FluidSampling::jittered}},
+                                                   true);
     constexpr Range of_jitter{[](double j) { return j >= 0.0 && j <= 0.4; },
                               "a number from 0 to 0.4"};
-    only_with(s, "jitter", block.sampling == Sampling::jittered, "sampling = \"jittered\"");
-    if (block.sampling == Sampling::jittered) block.jitter = s.number("jitter", of_jitter);
+    only_with(s, "jitter", block.sampling == FluidSampling::jittered, "sampling = \"jittered\"");
+    if (block.sampling == FluidSampling::jittered) block.jitter = s.number("jitter", of_jitter);
     block.hydrostatic = s.flag("hydrostatic", false);
     if (block.hydrostatic && (block.sphere || scene.method != Method::delta_sph))
         s.reject("hydrostatic", "a box, and method = \"delta_sph\", which starts from densities",

@@ -19,7 +19,7 @@ enum class Method {
 enum class PressureForm { symmetric, averaged, plain };  // adams2009 Eqs. 51, below 50, 50
 enum class ViscosityForm { none, artificial, brookshaw, monaghan };
 enum class XsphForm { velocities, motion };
-enum class Sampling { lattice, hexagonal, jittered };
+enum class FluidSampling { lattice, hexagonal, jittered };
 
 // Vectors have three components in every scene; in the plane the last one is 0.
 
@@ -31,7 +31,7 @@ struct FluidBlock {
     double radius = 0.0;  // [m]
     Vec<3> velocity;      // [m/s]
     Mat<3> stretching;    // velocity += stretching (x − centre) [1/s]
-    Sampling sampling = Sampling::lattice;
+    FluidSampling sampling = FluidSampling::lattice;
     double jitter = 0.0;       // of the spacing
     bool hydrostatic = false;  // pressure of a column at rest, 0 at the top of the box
     std::string place;         // "file:line:column", for messages

@@ -19,9 +19,9 @@ std::string in_words(double x) {
 template <int Dim> Vec<Dim> flat(const Vec<3>& x) { return x.template head<Dim>(); }
 
 template <int Dim> Points<Dim> sampled(const FluidBlock& block, const Box<Dim>& box, double d) {
-    if (block.sampling == Sampling::jittered) return jittered<Dim>(box, d, block.jitter, 1);
+    if (block.sampling == FluidSampling::jittered) return jittered<Dim>(box, d, block.jitter, 1);
     if constexpr (Dim == 2)
-        if (block.sampling == Sampling::hexagonal) return hexagonal(box, d);
+        if (block.sampling == FluidSampling::hexagonal) return hexagonal(box, d);
     return lattice<Dim>(box, d);
 }
 
@@ -52,8 +52,8 @@ template <int Dim> double mass_of_cell(const SceneFile& scene) {
 
 template <int Dim> void add(const SceneFile& scene, const FluidBlock& block, Start<Dim>& start) {
     const double d = scene.spacing;
-    const double cell =
-        (block.sampling == Sampling::hexagonal ? std::sqrt(0.75) : 1.0) * mass_of_cell<Dim>(scene);
+    const double cell = (block.sampling == FluidSampling::hexagonal ? std::sqrt(0.75) : 1.0) *
+                        mass_of_cell<Dim>(scene);
     const TaitEquation tait = tait_of(scene);
     Points<Dim> points;
     try {
