@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace reports::checks_command {
+namespace reports {
 
 namespace {
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ Check output_folder() {
             "FOLDER"};
 }
 
-}  // namespace reports::checks_command
+}  // namespace reports

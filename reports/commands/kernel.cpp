@@ -9,7 +9,7 @@
 #include <charconv>
 #include <memory>
 
-namespace reports::kernel_command {
+namespace reports {
 
 namespace {
 using nlohmann::ordered_json;
@@ -138,4 +138,4 @@ std::vector<double> numbers_of(std::string_view list) {
     return numbers;
 }
 
-}  // namespace reports::kernel_command
+}  // namespace reports
