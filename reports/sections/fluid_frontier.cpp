@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace reports {
+namespace reports::fluid_frontier_section {
 namespace {
 using verification::Effort;
 
@@ -63,4 +63,4 @@ Json view(const Json& report) {
 const RegisterSection section{{35, "fluid_frontier", "What does accuracy cost in a fluid?",
                                measure_fluids, view, templates::fluid_frontier}};
 }  // namespace
-}  // namespace reports
+}  // namespace reports::fluid_frontier_section
