@@ -1,15 +1,14 @@
 #include "reports/neighbours_charts.h"
 
 #include "benchmarks/neighbours/verdicts.h"
+#include "reports/charts/spread_ellipse.h"
 #include "reports/neighbours_maps.h"
 #include "reports/neighbours_report.h"
 #include "reports/words.h"
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
-#include <numbers>
 
 namespace reports {
 
@@ -83,31 +82,6 @@ Chart memory_chart(const Cases& cases) {
     return chart;
 }
 
-/// The ellipse that holds 95 % of a normal spread with the covariance of log x and log y.
-Chart::Outline ellipse(const std::vector<double>& x, const std::vector<double>& y) {
-    const auto n = static_cast<Eigen::Index>(x.size());
-    Eigen::MatrixX2d logs(n, 2);
-    for (Eigen::Index k = 0; k < n; ++k)
-        logs.row(k) << std::log(x[static_cast<std::size_t>(k)]),
-            std::log(y[static_cast<std::size_t>(k)]);
-    const Eigen::RowVector2d mean = logs.colwise().mean();
-    const Eigen::MatrixX2d off = logs.rowwise() - mean;
-    const Eigen::Matrix2d covariance = off.transpose() * off / static_cast<double>(n - 1);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance);
-    const double reach = std::sqrt(-2.0 * std::log(0.05));  // of χ² with 2 degrees of freedom
-    Chart::Outline outline;
-    constexpr int corners = 72;
-    for (int k = 0; k < corners; ++k) {
-        const double turn = 2.0 * std::numbers::pi * k / corners;
-        const Eigen::Vector2d along = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseProduct(
-            Eigen::Vector2d(std::cos(turn), std::sin(turn)));
-        const Eigen::Vector2d at = mean.transpose() + reach * axes.eigenvectors() * along;
-        outline.x.push_back(std::exp(at[0]));
-        outline.y.push_back(std::exp(at[1]));
-    }
-    return outline;
-}
-
 Chart phases_chart(const CaseResult& c) {
     Chart chart{
         .finding = fmt::format("Build against query at {} points: {}", c.count, recommendation(c)),
@@ -126,7 +100,7 @@ Chart phases_chart(const CaseResult& c) {
                              .x = {estimate(build).value},
                              .y = {estimate(query).value},
                              .joined = false};
-        if (s.runs.rounds() > 2) series.outlines.push_back(ellipse(build, query));
+        if (s.runs.rounds() > 2) series.outlines.push_back(spread_ellipse(build, query));
         chart.series.push_back(std::move(series));
     }
     return chart;
