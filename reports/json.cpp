@@ -106,8 +106,12 @@ Json document(const std::string& kind, Json results) {
             {kind, std::move(results)}};
 }
 
+std::string lines(const Json& json) { return json.dump(1) + "\n"; }
+
+std::string one_line(const Json& json) { return json.dump(); }
+
 void write_json(const Json& json, const std::string& target) {
-    const std::string text = json.dump(1) + "\n";
+    const std::string text = lines(json);
     if (target == "-") {
         fmt::print("{}", text);
         return;

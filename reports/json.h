@@ -32,6 +32,11 @@ template <class Results> Json json_array(const Results& results) {
     return all;
 }
 
+/// As it stands in a file: a line for each value, and a newline at the end. It and one_line() are here
+/// because each file that calls Json::dump() compiles all of the writer; read_json.h has the reader.
+std::string lines(const Json& json);
+std::string one_line(const Json& json);
+
 /// Writes to stdout if `target` is "-", else to that file.
 /// Throws std::runtime_error if the file cannot be written.
 void write_json(const Json& json, const std::string& target);

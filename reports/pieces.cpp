@@ -1,6 +1,7 @@
 #include "reports/pieces.h"
 
 #include "reports/files.h"
+#include "reports/read_json.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +37,7 @@ Json Pieces::get(const std::string& key, const std::function<Json()>& make) {
     if (directory_.empty()) return make();
     const std::filesystem::path file = file_of(directory_, key);
     if (std::filesystem::exists(file)) {
-        const Json kept = Json::parse(read_file(file), nullptr, false);
+        const Json kept = parse_json(read_file(file));
         if (kept.is_object() && kept.value("fingerprint", "") == fingerprint_ &&
             kept.value("key", "") == key && kept.contains("result")) {
             ++reused_;
@@ -45,8 +46,7 @@ Json Pieces::get(const std::string& key, const std::function<Json()>& make) {
     }
     Json result = make();
     std::filesystem::create_directories(file.parent_path());
-    write_file(
-        file, Json{{"key", key}, {"fingerprint", fingerprint_}, {"result", result}}.dump(1) + "\n");
+    write_file(file, lines({{"key", key}, {"fingerprint", fingerprint_}, {"result", result}}));
     return result;
 }
 

@@ -12,7 +12,7 @@ namespace reports {
 Json read_json(const std::filesystem::path& file) {
     const std::string text = read_file(file);
     try {
-        return Json::parse(text);
+        return Json::parse(std::string_view(text));
     } catch (const Json::parse_error& e) {
         const std::string before = text.substr(0, e.byte > 0 ? e.byte - 1 : 0);
         const auto line = 1 + std::ranges::count(before, '\n');
@@ -21,5 +21,7 @@ Json read_json(const std::filesystem::path& file) {
                                                   file.string(), line, column));
     }
 }
+
+Json parse_json(std::string_view text) { return Json::parse(text, nullptr, false); }
 
 }  // namespace reports

@@ -8,7 +8,7 @@ namespace reports {
 
 namespace {
 std::string text_of(const Json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
+    return value.is_string() ? value.get<std::string>() : one_line(value);
 }
 
 /// What says which case an element of an array is; all else in it is a result.

@@ -1,9 +1,9 @@
 #include "reports/approximation/point_values.h"
 #include "reports/commands/command.h"
+#include "reports/json.h"
 #include "solver/io/csv.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 #include <map>
@@ -11,7 +11,6 @@
 
 namespace reports::approximate_command {
 namespace {
-using nlohmann::ordered_json;
 using plumbline::PointFile;
 
 struct Options {
@@ -52,28 +51,25 @@ void write_csv(const PointFile& at, const std::vector<PointValue>& values) {
     }
 }
 
-void write_json(const Options& options, const PointFile& at,
+void print_json(const Options& options, const PointFile& at,
                 const std::vector<PointValue>& values) {
-    const auto number = [](const std::optional<double>& x) {
-        return x ? ordered_json(*x) : ordered_json();
-    };
-    ordered_json points = ordered_json::array();
+    const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json(); };
+    Json points = Json::array();
     for (std::size_t i = 0; i < values.size(); ++i) {
         const PointValue& p = values[i];
         const auto x = coordinates(at, i);
-        points.push_back(
-            {{"x", std::vector<double>(x.begin(), x.end())},
-             {"value", number(p.value)},
-             {"gradient", p.gradient.empty() ? ordered_json() : ordered_json(p.gradient)},
-             {"laplacian", number(p.laplacian)},
-             {"status", p.status}});
+        points.push_back({{"x", std::vector<double>(x.begin(), x.end())},
+                          {"value", number(p.value)},
+                          {"gradient", p.gradient.empty() ? Json() : Json(p.gradient)},
+                          {"laplacian", number(p.laplacian)},
+                          {"status", p.status}});
     }
-    const ordered_json all{{"schema", 1},
-                           {"method", options.method},
-                           {"kernel", options.kernel},
-                           {"support", options.support},
-                           {"points", points}};
-    std::cout << all.dump(1) << '\n';
+    write_json({{"schema", 1},
+                {"method", options.method},
+                {"kernel", options.kernel},
+                {"support", options.support},
+                {"points", std::move(points)}},
+               "-");
 }
 
 /// On stderr, how many points have less than the method promises.
@@ -107,7 +103,7 @@ ExitCode run(const Options& options) {
     const auto values =
         approximate({samples, at, options.field, mass, method, options.kernel, options.support});
     if (options.json)
-        write_json(options, at, values);
+        print_json(options, at, values);
     else
         write_csv(at, values);
     say_what_is_missing(values);

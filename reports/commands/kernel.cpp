@@ -1,10 +1,10 @@
 #include "reports/commands/kernel.h"
 
 #include "reports/commands/command.h"
+#include "reports/json.h"
 #include "solver/kernels/all_kernels.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <charconv>
 #include <memory>
@@ -12,7 +12,6 @@
 namespace reports {
 
 namespace {
-using nlohmann::ordered_json;
 using plumbline::AllKernels;
 using plumbline::InvalidInput;
 
@@ -47,24 +46,24 @@ void print_names(const Options& options) {
     const auto names =
         in_dimension(options.dim, []<int Dim>() { return AllKernels::names<Dim>(); });
     if (options.json)
-        fmt::print("{}\n", ordered_json{{"dim", options.dim}, {"kernels", names}}.dump(1));
+        write_json({{"dim", options.dim}, {"kernels", names}}, "-");
     else
         for (const std::string_view name : names) fmt::print("{}\n", name);
 }
 
 void print_json(const Options& options, const std::vector<KernelRow>& rows) {
-    ordered_json table = ordered_json::array();  // infinite values become null: JSON has none
+    Json table = Json::array();  // infinite values become null: JSON has none
     for (const KernelRow& row : rows)
         table.push_back({{"r", row.r},
                          {"value", row.value},
                          {"derivative", row.derivative},
                          {"second_derivative", row.second_derivative},
                          {"laplacian", row.laplacian}});
-    const ordered_json all{{"kernel", options.name},
-                           {"dim", options.dim},
-                           {"support", options.support},
-                           {"rows", table}};
-    fmt::print("{}\n", all.dump(1));
+    write_json({{"kernel", options.name},
+                {"dim", options.dim},
+                {"support", options.support},
+                {"rows", std::move(table)}},
+               "-");
 }
 
 ExitCode run(const Options& options) {

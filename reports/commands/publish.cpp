@@ -42,11 +42,9 @@ ExitCode publish(const Options& options) {
     fs::create_directories(folder);
     for (std::size_t c = 0; c < pictures.size(); ++c)
         write_file(folder / (options.charts[c] + ".png"), pictures[c]);
-    write_file(folder / "provenance.json", Json{{"schema", "plumbline.published/1"},
-                                                {"charts", options.charts},
-                                                {"provenance", provenance}}
-                                                   .dump(1) +
-                                               "\n");
+    write_file(folder / "provenance.json", lines({{"schema", "plumbline.published/1"},
+                                                  {"charts", options.charts},
+                                                  {"provenance", provenance}}));
     return ExitCode::ok;
 }
 

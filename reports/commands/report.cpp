@@ -65,12 +65,12 @@ ExitCode make_report(const Options& options) {
     if (!baseline.is_null()) run.report["changes"] = changes_since(baseline, run.report);
     std::filesystem::create_directories(folder);
     const std::filesystem::path data = folder / "report.json", page = folder / "index.html";
-    write_file(data, run.report.dump(1) + "\n");
+    write_file(data, lines(run.report));
     write_file(page, page_of(run.report, folder / "charts"));
     if (pieces.reused() > 0)
         fmt::print(stderr, "plumbline: {} were there already and still hold\n",
                    counted(static_cast<std::size_t>(pieces.reused()), "piece"));
-    if (options.json) fmt::print("{}\n", run.report.dump(1));
+    if (options.json) write_json(run.report, "-");
     fmt::print(stderr, "plumbline: the page is {}\n", std::filesystem::absolute(page).string());
     return judge(run.report);
 }

@@ -1,6 +1,7 @@
 #include "reports/run/checkpoint_file.h"
 
 #include "reports/files.h"
+#include "reports/read_json.h"
 #include "solver/foundation/errors.h"
 
 #include <fmt/format.h>
@@ -22,8 +23,8 @@ std::string checksum(std::string_view bytes) {
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint) {
     const Json head{{"progress", checkpoint.progress},
                     {"bytes", checkpoint.state.size()},
-                    {"checksum", checksum(checkpoint.progress.dump() + checkpoint.state)}};
-    write_file(file, std::string(kind) + head.dump() + "\n" + checkpoint.state);
+                    {"checksum", checksum(one_line(checkpoint.progress) + checkpoint.state)}};
+    write_file(file, std::string(kind) + one_line(head) + "\n" + checkpoint.state);
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
@@ -34,11 +35,11 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
     };
     const std::size_t end = text.find('\n', kind.size());
     if (!text.starts_with(kind) || end == std::string::npos) reject("another file");
-    const Json head = Json::parse(text.begin() + kind.size(), text.begin() + end, nullptr, false);
+    const Json head = parse_json(std::string_view(text).substr(kind.size(), end - kind.size()));
     Checkpoint checkpoint{head.value("progress", Json::object()), text.substr(end + 1)};
     if (!head.is_object() || head.value("bytes", std::size_t{0}) != checkpoint.state.size())
         reject("one that was cut short");
-    if (head.value("checksum", "") != checksum(checkpoint.progress.dump() + checkpoint.state))
+    if (head.value("checksum", "") != checksum(one_line(checkpoint.progress) + checkpoint.state))
         reject("a damaged one");
     return checkpoint;
 }

@@ -158,7 +158,7 @@ Json RunFolder::write_manifest(const RunRecord& record, const std::string& statu
         {"smallest_step", number(record.smallest_step)},
         {"frames", record.frames},
         {"computing_s", record.seconds}};
-    write_file(folder_ / "manifest.json", manifest.dump(1) + "\n");
+    write_file(folder_ / "manifest.json", lines(manifest));
     return manifest;
 }
 
