@@ -125,7 +125,7 @@ Json json_of(const CaseResult& c) {
 
 Json json_of(const SearchStudyResult& study) {
     Json verdicts = Json::array();
-    for (const Verdict& v : verdicts_on_section_5_3(study))
+    for (const benchmarks::Verdict& v : verdicts_on_section_5_3(study))
         verdicts.push_back({{"source", v.source},
                             {"statement", v.statement},
                             {"verdict", v.word},

@@ -97,7 +97,7 @@ std::string tables_of(const SearchStudyResult& study) {
                                 in_words(query[k]));
         if (!build.empty()) text += '\n';
     }
-    for (const Verdict& v : verdicts_on_section_5_3(study))
+    for (const benchmarks::Verdict& v : verdicts_on_section_5_3(study))
         text += fmt::format("{}: {}: {}.\n  {}\n", v.source, v.statement, v.word, v.evidence);
     return text;
 }
