@@ -76,6 +76,10 @@ std::string status_of(const Method& method, const Fit& fit) {
     return fit.complete() ? "ok" : fmt::format("rank_deficient:{}", fit.rank);
 }
 
+/// Whether ⟨Δf⟩ estimates Δf: exact for quadratic f from order 2 on (adams2009 Eq. 34). Order −1 is SPH, whose
+/// Laplacian is Eq. 11.
+bool has_laplacian(const Fit& fit) { return fit.order < 0 || fit.order >= 2; }
+
 template <int Dim>
 std::vector<PointValue> by_shape_functions(const Inputs<Dim>& in, const Method& method,
                                            const AnyShape<Dim>& shape_of) {
@@ -88,8 +92,9 @@ std::vector<PointValue> by_shape_functions(const Inputs<Dim>& in, const Method& 
         if (const auto& fit = shape.fit[i]) {
             p.value = shape.value(in.f, i);
             p.gradient = components<Dim>(*shape.gradient(in.f, i));
-            if (!at_samples) p.laplacian = shape.laplacian(in.f, i);
             p.status = status_of(method, *fit);
+            if (!at_samples && has_laplacian(*fit)) p.laplacian = shape.laplacian(in.f, i);
+            if (!at_samples && !p.laplacian && p.status == "ok") p.status = "no_laplacian";
         }
         return stated(p, in.of_queries.of(i).empty() ? "no_neighbours" : "not_finite");
     });
@@ -101,10 +106,8 @@ std::vector<PointValue> by_shepard(const AnyKernel<Dim>& w, const Inputs<Dim>& i
     return at_all(in.at.size(), [&](Index i) {
         const auto place = in.place(i);
         PointValue p;
-        if (const auto gradient = shepard_gradient(w, samples, in.f, place)) {
-            p = {shepard(w, samples, in.f, place), components<Dim>(*gradient),
-                 shepard_laplacian(w, samples, in.f, place), "ok"};
-        }
+        if (const auto gradient = shepard_gradient(w, samples, in.f, place))
+            p = {shepard(w, samples, in.f, place), components<Dim>(*gradient), {}, "no_laplacian"};
         return stated(p, place.neighbours.empty() ? "no_neighbours" : "not_finite");
     });
 }

@@ -29,10 +29,11 @@ struct PointValue {
     /// `ok`, or why the numbers are missing or less than the method promises:
     ///  - `no_neighbours`: no sample is closer than the support;
     ///  - `rank_deficient:k`: the samples tell only k of the basis polynomials apart; exact on those;
-    ///  - `reduced_order:n`: mlsph had to use order n;
+    ///  - `reduced_order:n`: mlsph had to use order n; no Laplacian if n < 2;
     ///  - `not_a_sample`: mueller gives gradients at samples only;
     ///  - `repeated_sample`: mueller at samples that coincide, with different values;
-    ///  - `no_laplacian`: the kernel has a kink there, at a sample;
+    ///  - `no_laplacian`: the order in use is below 2 (adams2009 Eq. 34; shepard is of order 0), or the
+    ///    kernel has a kink there, at a sample;
     ///  - `not_finite`: the weights or the numbers overflow, or the kernel is singular there.
     std::string status;
 };

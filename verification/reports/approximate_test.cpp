@@ -46,6 +46,29 @@ TEST_CASE("approximate: mls of order 2 gives a quadratic field and its derivativ
     CHECK(std::abs(found[0].laplacian.value()) < 1e-10);
 }
 
+TEST_CASE("approximate: a Laplacian from order 2 on, that of the order in use") {
+    const auto only = [](const char* method, const std::string& samples) {
+        CAPTURE(method);
+        return values(samples, "x,y\n0.5,0.52\n", method).at(0);
+    };
+    for (const char* method : {"shepard", "mls:0", "mls:1", "mlsph:0", "mlsph:1"}) {
+        const PointValue found = only(method, grid());
+        CHECK(found.status == "no_laplacian");
+        CHECK(!found.laplacian);
+        CHECK(found.value);
+        CHECK(found.gradient.size() == 2);
+    }
+    for (const char* method : {"sph", "mls:2", "mls:3", "mlsph:2", "mlsph:3"}) {
+        const PointValue found = only(method, grid());
+        CHECK(found.status == "ok");
+        CHECK(found.laplacian);
+    }
+    const PointValue fallen = only("mlsph:2", "x,y,f\n0.5,0.5,1\n0.6,0.5,2\n0.5,0.6,3\n");
+    CHECK(fallen.status == "reduced_order:1");
+    CHECK(fallen.gradient[0] == Approx(10.0));
+    CHECK(!fallen.laplacian);
+}
+
 TEST_CASE("approximate: every method says so where no sample is near") {
     for (const char* method : {"sph", "shepard", "mls:0", "mls:3", "mlsph:1", "mueller"}) {
         CAPTURE(method);
