@@ -105,9 +105,11 @@ std::vector<PointValue> by_shepard(const AnyKernel<Dim>& w, const Inputs<Dim>& i
                                    const Samples<Dim>& samples) {
     return at_all(in.at.size(), [&](Index i) {
         const auto place = in.place(i);
-        PointValue p;
-        if (const auto gradient = shepard_gradient(w, samples, in.f, place))
-            p = {shepard(w, samples, in.f, place), components<Dim>(*gradient), {}, "no_laplacian"};
+        const auto gradient = shepard_gradient(w, samples, in.f, place);
+        const PointValue p{shepard(w, samples, in.f, place),
+                           gradient ? components<Dim>(*gradient) : std::vector<double>{},
+                           {},
+                           gradient ? "no_laplacian" : "no_gradient"};
         return stated(p, place.neighbours.empty() ? "no_neighbours" : "not_finite");
     });
 }
@@ -157,9 +159,24 @@ AnyShape<Dim> moving_least_squares(const AnyKernel<Dim>& w, const Method& method
     }
 }
 
+/// Vⱼ of adams2009 Eq. 4. A kernel that is infinite at 0 has no density at its samples: Shepard's quotient
+/// takes equal volumes then, SPH cannot do without.
+template <int Dim>
+std::vector<double> volumes_of(const AnyKernel<Dim>& w, const Inputs<Dim>& in, Family family,
+                               const std::string& kernel) {
+    if (w.value(0.0) < HUGE_VAL) return volumes(w, in.x, in.mass, in.among_samples);
+    if (family == Family::sph)
+        throw InvalidInput(
+            fmt::format("sph: expected a kernel that is finite at 0, found \"{}\", with which the "
+                        "density at every sample is infinite",
+                        kernel));
+    require_positive("mass", in.mass);
+    return std::vector<double>(in.x.size(), 1.0);
+}
+
 template <int Dim>
 std::vector<PointValue> with_kernel(const AnyKernel<Dim>& w, const Inputs<Dim>& in,
-                                    const Method& method) {
+                                    const Method& method, const std::string& kernel) {
     using K = AnyKernel<Dim>;
     switch (method.family) {
         case Family::mls:
@@ -171,7 +188,7 @@ std::vector<PointValue> with_kernel(const AnyKernel<Dim>& w, const Inputs<Dim>& 
         case Family::shepard:
             break;
     }
-    const auto V = volumes<K>(w, in.x, in.mass, in.among_samples);
+    const auto V = volumes_of(w, in, method.family, kernel);
     const Samples<Dim> samples{in.x, V, in.among_samples};
     if (method.family == Family::shepard) return by_shepard(w, in, samples);
     return by_shape_functions<Dim>(in, method, {SphShape<K>(w, samples)});
@@ -180,7 +197,7 @@ std::vector<PointValue> with_kernel(const AnyKernel<Dim>& w, const Inputs<Dim>& 
 template <int Dim> std::vector<PointValue> in_dimension(const ApproximationTask& task) {
     std::vector<PointValue> points;
     AllKernels::with<Dim>(task.kernel, task.support, [&](const auto& w) {
-        points = with_kernel(AnyKernel<Dim>(w), Inputs<Dim>(task), task.method);
+        points = with_kernel(AnyKernel<Dim>(w), Inputs<Dim>(task), task.method, task.kernel);
     });
     return points;
 }

@@ -34,6 +34,7 @@ struct PointValue {
     ///  - `repeated_sample`: mueller at samples that coincide, with different values;
     ///  - `no_laplacian`: the order in use is below 2 (adams2009 Eq. 34; shepard is of order 0), or the
     ///    kernel has a kink there, at a sample;
+    ///  - `no_gradient`: shepard at a sample, whose value it takes with a singular kernel;
     ///  - `not_finite`: the weights or the numbers overflow, or the kernel is singular there.
     std::string status;
 };
@@ -48,9 +49,10 @@ struct ApproximationTask {
     double support;
 };
 
-/// The field at every point of `at`. sph and shepard take Vⱼ = mⱼ/ρⱼ with ρ by adams2009 Eq. 5.
+/// The field at every point of `at`. sph and shepard take Vⱼ = mⱼ/ρⱼ with ρ by adams2009 Eq. 5;
+/// with a kernel that is infinite at 0 there is no ρ, and shepard takes Vⱼ = 1.
 /// Throws InvalidInput if dimensions differ, a column or the kernel does not exist, the support is not
-/// positive and finite, or (sph, shepard) a mass is not positive.
+/// positive and finite, or (sph, shepard) a mass is not positive, or (sph) the kernel is infinite at 0.
 std::vector<PointValue> approximate(const ApproximationTask& task);
 
 }  // namespace reports

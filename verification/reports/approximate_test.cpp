@@ -28,11 +28,12 @@ std::string grid(bool planar = false) {
 }
 
 std::vector<PointValue> values(const std::string& samples, const std::string& at,
-                               const std::string& method, double support = 0.28) {
+                               const std::string& method, double support = 0.28,
+                               const std::string& kernel = "poly6") {
     const auto sample_file = parse_points("samples.csv", samples);
     const auto at_file = parse_points("at.csv", at);
     return approximate(
-        {sample_file, at_file, "f", std::nullopt, parse_method(method), "poly6", support});
+        {sample_file, at_file, "f", std::nullopt, parse_method(method), kernel, support});
 }
 }  // namespace
 
@@ -67,6 +68,21 @@ TEST_CASE("approximate: a Laplacian from order 2 on, that of the order in use") 
     CHECK(fallen.status == "reduced_order:1");
     CHECK(fallen.gradient[0] == Approx(10.0));
     CHECK(!fallen.laplacian);
+}
+
+TEST_CASE("approximate: shepard interpolates with a singular kernel") {
+    const std::string samples = "x,y,f\n0,0,1\n0.1,0,2\n0,0.2,5\n";
+    const auto found = values(samples, "x,y\n0.1,0\n0.05,0\n9,9\n", "shepard", 0.15, "singular");
+    CHECK(found[0].value == 2.0);
+    CHECK(found[0].gradient.empty());
+    CHECK(!found[0].laplacian);
+    CHECK(found[0].status == "no_gradient");
+    CHECK(found[1].value.value() == Approx(1.5));
+    CHECK(found[1].gradient.size() == 2);
+    CHECK(found[1].status == "no_laplacian");
+    CHECK(found[2].status == "no_neighbours");
+    CHECK_THROWS_WITH(values(samples, "x,y\n0.1,0\n", "sph", 0.15, "singular"),
+                      Catch::Contains("\"singular\"") && Catch::Contains("infinite"));
 }
 
 TEST_CASE("approximate: every method says so where no sample is near") {
