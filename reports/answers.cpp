@@ -89,11 +89,14 @@ Json is_it_right(const Json& report) {
                     "bound refused {}.",
                     with_twin, with_twin == refused ? "every one" : fmt::format("{}", refused)));
     const Json& errata = list(report, "errata");
+    const auto of_text = std::ranges::count_if(
+        errata, [](const Json& e) { return e["source"]["paper"] == "adams2009"; });
     if (!errata.empty())
         points.push_back(fmt::format(
-            "The text has {} formulas or statements wrong in the part that is covered; the claims "
-            "tell the printed from the corrected form in {} of them.",
-            errata.size(),
+            "The text has {} formulas or statements wrong in the part that is covered, other "
+            "sources and reference tables {}; the claims tell the printed from the corrected form "
+            "in {} of them.",
+            of_text, errata.size() - static_cast<std::size_t>(of_text),
             std::ranges::count_if(errata, [](const Json& e) { return e["caught"].get<bool>(); })));
     return points;
 }

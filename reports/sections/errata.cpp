@@ -63,7 +63,7 @@ Json view(const Json& report) {
     return {{"rows", rows}, {"mutants", mutants}};
 }
 
-const RegisterSection section{
-    {90, "errata", "What the text has wrong, measured", collect, view, templates::errata}};
+const RegisterSection section{{90, "errata", "What the text and other sources have wrong, measured",
+                               collect, view, templates::errata}};
 }  // namespace
 }  // namespace reports::errata_section
