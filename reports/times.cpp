@@ -1,5 +1,7 @@
 #include "reports/times.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,11 +39,12 @@ void collect(const Json& json, const std::string& place, std::map<std::string, T
     if (json.is_object()) {
         if (json.contains("median_s") && json["median_s"].is_number())
             found[place] = {json["median_s"].get<double>(), json.value("mad_s", 0.0)};
-        for (const auto& [key, value] : json.items()) collect(value, place + "/" + key, found);
+        for (const auto& [key, value] : json.items())
+            collect(value, fmt::format("{}/{}", place, key), found);
     }
     if (json.is_array())
         for (std::size_t k = 0; k < json.size(); ++k)
-            collect(json[k], place + "/" + name_of(json[k], k), found);
+            collect(json[k], fmt::format("{}/{}", place, name_of(json[k], k)), found);
 }
 }  // namespace
 

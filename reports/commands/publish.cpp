@@ -24,7 +24,7 @@ Json provenance_of_a_commit(const fs::path& file) {
     if (report.value("schema", "") != "plumbline.report/1")
         throw plumbline::InvalidInput(
             fmt::format("{}: expected a report with the schema plumbline.report/1", file.string()));
-    const Json provenance = report.value("provenance", none);
+    Json provenance = report.value("provenance", none);
     const std::string version = provenance.value("version", "unknown");
     if (version == "unknown" || version.ends_with("-dirty"))
         throw plumbline::InvalidInput(fmt::format(

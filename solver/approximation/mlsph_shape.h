@@ -20,12 +20,10 @@ public:
     std::optional<Fit> operator()(std::span<const Vec<dim>> x, const Place<dim>& at,
                                   ShapeRow<dim> row) const {
         const auto fit = MlsShape<Order, K>(w_)(x, at, row);
-        if constexpr (Order == 0)
-            return fit;
-        else if (fit && fit->complete() && fit->condition <= largest_condition_)
-            return fit;
-        else
-            return MlsphShape<Order - 1, K>(w_, largest_condition_)(x, at, row);
+        if constexpr (Order > 0)
+            if (!fit || !fit->complete() || !(fit->condition <= largest_condition_))
+                return MlsphShape<Order - 1, K>(w_, largest_condition_)(x, at, row);
+        return fit;
     }
 
 private:

@@ -63,7 +63,7 @@ std::optional<MomentInverse<Eigen::MatrixXd>> graded_inverse(const Eigen::Matrix
 template <int N>
 std::optional<MomentInverse<Mat<N>>> moment_inverse(const Mat<N>& M,
                                                     std::span<const int> degree_ends) {
-    if (const auto fast = cholesky_inverse<N>(M)) return fast;
+    if (auto fast = cholesky_inverse<N>(M)) return fast;
     const auto safe = graded_inverse(M, degree_ends);
     if (!safe) return std::nullopt;
     return MomentInverse<Mat<N>>{safe->inverse, safe->rank, safe->condition};

@@ -6,7 +6,9 @@
 #include "solver/neighbours/space.h"
 
 #include <cmath>
+#include <concepts>
 #include <optional>
+#include <type_traits>
 
 namespace plumbline {
 
@@ -23,6 +25,13 @@ template <RadialKernel K> Vec<K::dim> gradient(const K& w, const Neighbour<K::di
     return w.derivative(n.r) / n.r * n.x;
 }
 
+/// What `Term` returns for a neighbour.
+template <class Term, int Dim> using TermValue = std::invoke_result_t<Term, const Neighbour<Dim>&>;
+
+/// What returns exactly T for a neighbour: an Eigen expression would outlive its operands.
+template <class Term, class T, int Dim>
+concept TermOf = std::same_as<TermValue<Term, Dim>, T>;
+
 /// The neighbours of each particle, whatever search found them and in whatever space. Lists may hold
 /// more than what is within the support, where kernels are 0.
 template <int Dim, class Space = OpenSpace<Dim>> struct Neighbourhood {
@@ -30,19 +39,16 @@ template <int Dim, class Space = OpenSpace<Dim>> struct Neighbourhood {
     std::optional<Space> space = {};  // set by whoever fills the lists
 
     /// Σⱼ term(neighbour) over the neighbours of particle i, itself included, in the order of the
-    /// lists. `term` must return exactly T, for an Eigen expression would outlive its operands.
-    template <class T, class Term>
-    requires std::same_as < std::invoke_result_t < Term, const Neighbour<Dim>
-    & >, T > T sum(std::span<const Vec<Dim>> x, Index i, Term term) const {
+    /// lists.
+    template <class T, TermOf<T, Dim> Term>
+    T sum(std::span<const Vec<Dim>> x, Index i, Term term) const {
         return sum<T>(x, i, x, term);
     }
     /// The same where the neighbours of particle i are of another set, at `others`.
-    template <class T, class Term>
-    requires std::same_as < std::invoke_result_t < Term, const Neighbour<Dim>
-    & >, T > T sum(std::span<const Vec<Dim>> x, Index i, std::span<const Vec<Dim>> others,
-                   Term term) const {
+    template <class T, TermOf<T, Dim> Term>
+    T sum(std::span<const Vec<Dim>> x, Index i, std::span<const Vec<Dim>> others, Term term) const {
         T total = zero<T>();
-        const Vec<Dim> x_i = x[i];
+        const Vec<Dim>& x_i = x[i];
         for (const Index j : lists.of(i)) {
             Neighbour<Dim> n{j, {}, 0.0};
             for (int d = 0; d < Dim; ++d) n.x[d] = space->difference(x_i[d], others[j][d], d);

@@ -34,7 +34,7 @@ Points<Dim> cell_centres(const Box<Dim>& box, const Vec<Dim>& step, Keep keep) {
     }
     Points<Dim> points;
     std::array<std::int64_t, Dim> k{};
-    for (double cell = 0; cell < cells; ++cell) {
+    for (auto cell = require_count(cells); cell > 0; --cell) {
         if (keep(k)) {
             Vec<Dim> x;
             for (int d = 0; d < Dim; ++d)
