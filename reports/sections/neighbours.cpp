@@ -69,7 +69,8 @@ std::string ratio_in_words(const Json& search) {
 }
 
 Json row_of(const Json& search, const Json& count) {
-    const bool agrees = search["wrong_pairs"] == 0, left_out = !search.value("left_out", "").empty();
+    const bool agrees = search["wrong_pairs"] == 0,
+               left_out = !search.value("left_out", "").empty();
     Json row = {{"search", search["search"]},
                 {"agrees", left_out ? "left out"
                            : agrees ? "agrees"
