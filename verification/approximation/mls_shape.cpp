@@ -3,12 +3,12 @@
 #include "solver/kernels/poly6.h"
 #include "verification/approximation/mls_under_test.h"
 #include "verification/approximation/printed_mls.h"
+#include "verification/framework/eigenvalues.h"
 #include "verification/framework/property.h"
 #include "verification/framework/registry.h"
 #include "verification/kernels/under_test.h"
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <numbers>
@@ -232,7 +232,7 @@ double rank_of_moments(bool at_samples) {
         p << 1.0, at_samples ? x : cloud.at;
         M += w.value((x - cloud.at).norm()) * p * p.transpose();
     }
-    const auto values = Eigen::SelfAdjointEigenSolver<Mat<4>>(M).eigenvalues().eval();
+    const auto values = eigenvalues<4>(M);
     return static_cast<double>((values.array() > 1e-12 * values.maxCoeff()).count());
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "solver/kernels/kernel.h"
+#include "verification/framework/eigenvalues.h"
 #include "verification/framework/patch.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <numbers>
 
@@ -84,9 +85,8 @@ Spectrum spectrum(const K& w, const Lattice<K::dim>& lattice, const FluidAtRest&
     const auto neighbours = neighbours_on(lattice, w.support());
     Spectrum found;
     for_each_wave(lattice, n, [&](const auto& k) {
-        const Eigen::SelfAdjointEigenSolver<plumbline::Mat<K::dim>> solver(
-            dispersion(w, neighbours, fluid, k), Eigen::EigenvaluesOnly);
-        found.include(solver.eigenvalues().minCoeff(), solver.eigenvalues().maxCoeff());
+        const auto squared = eigenvalues<K::dim>(dispersion(w, neighbours, fluid, k));
+        found.include(squared.minCoeff(), squared.maxCoeff());
     });
     return found;
 }

@@ -14,6 +14,7 @@
 #include "solver/scene/symplectic_euler.h"
 #include "solver/scene/two_stage.h"
 #include "verification/fluid/dispersion.h"
+#include "verification/framework/eigenvalues.h"
 #include "verification/framework/registry.h"
 
 namespace stability_limits_claims {
@@ -107,8 +108,8 @@ double acoustic_border(double factor) {
     const FluidAtRest fluid = compressed(W(h), hexagonal, 0.02);
     double largest = 0.0;
     for_each_wave_of_box([&](const Vec<2>& k) {
-        const Eigen::SelfAdjointEigenSolver<Mat<2>> solver(dispersion(W(h), neighbours, fluid, k));
-        largest = std::max(largest, solver.eigenvalues().maxCoeff());
+        largest =
+            std::max(largest, eigenvalues<2>(dispersion(W(h), neighbours, fluid, k)).maxCoeff());
     });
     return border(
         [] { return lattice_of(0.02, PressureForce<W, Box>{W(h)}, SymplecticEuler<2>{}); },

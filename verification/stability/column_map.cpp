@@ -12,6 +12,7 @@
 #include "solver/scene/scene.h"
 #include "solver/scene/symplectic_euler.h"
 #include "verification/fluid/dispersion.h"
+#include "verification/framework/eigenvalues.h"
 #include "verification/stability/findings.h"
 
 #include <fmt/format.h>
@@ -43,9 +44,8 @@ double step_at_the_bottom(double g) {
     const FluidAtRest fluid{rho, p, tait().speed_of_sound(rho)};
     double largest = 0.0;
     for_each_wave(squeezed, 24, [&](const Vec<2>& k) {
-        const Eigen::SelfAdjointEigenSolver<Mat<2>> solver(dispersion(W(h), neighbours, fluid, k),
-                                                           Eigen::EigenvaluesOnly);
-        largest = std::max(largest, solver.eigenvalues().maxCoeff());
+        largest =
+            std::max(largest, eigenvalues<2>(dispersion(W(h), neighbours, fluid, k)).maxCoeff());
     });
     return 2.0 / std::sqrt(largest);
 }
