@@ -2,12 +2,14 @@
 
 #include "solver/kernels/kernel.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <cmath>
 
 namespace plumbline {
+
+/// ‖G⁻¹‖₂ in 1D, 2D and 3D: how far the unit ball reaches when G maps onto it.
+template <int Dim> double norm_of_inverse(const Mat<Dim>& g);
 
 /// ω(x) = |det G| ω₀(‖G x‖): a radial kernel ω₀ seen through the linear map G, an ellipsoid instead of a
 /// ball; the determinant keeps ∫ ω dV = 1. adams2009 Sec. 2.1 allows it; the form is Owen et al. 1998.
@@ -20,7 +22,7 @@ public:
     Anisotropic(const K& w, const Mat<dim>& g) : w_{w}, g_{g}, det_{std::abs(g.determinant())} {
         if (!g.allFinite() || !(det_ > 0.0))
             throw InvalidInput("Anisotropic: expected a finite, invertible matrix G");
-        support_ = w.support() * g.inverse().operatorNorm();
+        support_ = w.support() * norm_of_inverse<dim>(g);
     }
 
     /// Radius of the smallest ball that holds the ellipsoid {x : ‖G x‖ < support of ω₀} [m].
