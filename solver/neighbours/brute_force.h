@@ -3,6 +3,8 @@
 #include "solver/neighbours/fill_lists.h"
 #include "solver/neighbours/queries.h"
 
+#include <concepts>
+
 namespace plumbline {
 
 /// O(n²); the oracle that every other search is compared with.                adams2009 Sec. 5
@@ -13,7 +15,8 @@ class BruteForce : public Queries<BruteForce<Dim, Space, Real>, Dim, Real> {
 public:
     static constexpr std::string_view name = "brute_force";
 
-    explicit BruteForce(Space space = {}) : space_{space} {}
+    BruteForce() requires std::default_initializable<Space> : BruteForce(Space{}) {}
+    explicit BruteForce(Space space) : space_{space} {}
 
     void build(Given points, double radius) {
         check_radius<Real>(space_, radius);

@@ -4,6 +4,8 @@
 #include "solver/neighbours/cell_window.h"
 #include "solver/neighbours/grouped_search.h"
 
+#include <concepts>
+
 namespace plumbline {
 
 /// The fast search for one radius: points and queries sorted by cell, so that all queries of a cell
@@ -27,7 +29,8 @@ class CellGrid
 public:
     static constexpr std::string_view name = "cell_grid";
 
-    explicit CellGrid(Space space = {}, Instructions instructions = best_instructions())
+    CellGrid() requires std::default_initializable<Space> : CellGrid(Space{}) {}
+    explicit CellGrid(Space space, Instructions instructions = best_instructions())
         : Base{space, instructions} {}
 
     void build(Given points, double radius) {

@@ -4,6 +4,8 @@
 #include "solver/neighbours/fill_lists.h"
 #include "solver/neighbours/queries.h"
 
+#include <concepts>
+
 namespace plumbline {
 
 /// H(i, j, k) = (i p₁ xor j p₂ xor k p₃) mod s, in unsigned arithmetic.       adams2009 Eq. 43
@@ -43,7 +45,8 @@ public:
         Spacing == HashSpacing::diameter ? "hash_grid" : "hash_grid_r";
 
     /// The table has about n / `load` buckets for n points.
-    explicit HashGrid(Space space = {}, double load = 1.0) : space_{space}, load_{load} {
+    HashGrid() requires std::default_initializable<Space> : HashGrid(Space{}) {}
+    explicit HashGrid(Space space, double load = 1.0) : space_{space}, load_{load} {
         if (!(load > 0.0)) throw InvalidInput("HashGrid: expected a load above 0");
     }
 

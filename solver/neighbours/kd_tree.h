@@ -3,6 +3,7 @@
 #include "solver/neighbours/fill_lists.h"
 #include "solver/neighbours/queries.h"
 
+#include <concepts>
 #include <numeric>
 
 namespace plumbline {
@@ -17,7 +18,8 @@ public:
     static constexpr std::string_view name = "kd_tree";
 
     /// A leaf holds at most `leaf_size` points, unless more of them coincide.
-    explicit KdTree(Space space = {}, Index leaf_size = 16) : space_{space}, leaf_size_{leaf_size} {
+    KdTree() requires std::default_initializable<Space> : KdTree(Space{}) {}
+    explicit KdTree(Space space, Index leaf_size = 16) : space_{space}, leaf_size_{leaf_size} {
         if (leaf_size < 1) throw InvalidInput("KdTree: expected a leaf size of 1 or more, found 0");
     }
 

@@ -3,6 +3,8 @@
 #include "solver/neighbours/grouped_search.h"
 #include "solver/neighbours/leaf_order.h"
 
+#include <concepts>
+
 namespace plumbline {
 
 /// The kd-tree for radii or densities that vary strongly (adams2009 Sec. 5.3): the queries of a leaf share
@@ -22,7 +24,8 @@ class LeafTree
 public:
     static constexpr std::string_view name = "leaf_tree";
 
-    explicit LeafTree(Space space = {}, Index leaf_size = 24,
+    LeafTree() requires std::default_initializable<Space> : LeafTree(Space{}) {}
+    explicit LeafTree(Space space, Index leaf_size = 24,
                       Instructions instructions = best_instructions())
         : Base{space, instructions}, leaf_size_{leaf_size} {
         if (leaf_size < 1) throw InvalidInput("LeafTree: expected a leaf size above 0, found 0");

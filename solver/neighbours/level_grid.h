@@ -4,6 +4,8 @@
 #include "solver/neighbours/grouped_search.h"
 #include "solver/neighbours/level_order.h"
 
+#include <concepts>
+
 namespace plumbline {
 
 /// A grid of several levels for radii or densities that vary strongly: points are sorted into cells that are
@@ -25,7 +27,8 @@ class LevelGrid : public GroupedSearch<LevelGrid<Dim, Space, Real>, LevelOrder<D
 public:
     static constexpr std::string_view name = "level_grid";
 
-    explicit LevelGrid(Space space = {}, Instructions instructions = best_instructions())
+    LevelGrid() requires std::default_initializable<Space> : LevelGrid(Space{}) {}
+    explicit LevelGrid(Space space, Instructions instructions = best_instructions())
         : Base{space, instructions} {}
 
     void build(Given points, double radius) {
