@@ -34,11 +34,13 @@ double distance(double computed, const Real50& exact) {
     return std::abs((Real50(computed) - exact).convert_to<double>());
 }
 
-/// maxⱼ |Φⱼ − exact| / κ; the exact shape functions may be of another order.
-template <int Dim, int Order> double error_of_values(int exact_order) {
+/// maxⱼ |Φⱼ − exact| / κ where the weights have the given support.
+template <int Dim, int Order> double error_of_values(double support_of_weights) {
     const auto cloud = shifted_cloud<Dim>(Order);
-    const auto shape = solver_shape<Order>(cloud);
-    const PrintedMls<Real50, Dim> printed(exact_order, cloud);
+    auto weighted = cloud;
+    weighted.support = support_of_weights;
+    const auto shape = solver_shape<Order>(weighted);
+    const PrintedMls<Real50, Dim> printed(Order, cloud);
     const auto exact = printed.shape(printed.point(cloud.at));
     double worst = 0.0;
     for (std::size_t j = 0; j < exact.size(); ++j)
@@ -77,9 +79,18 @@ template <int Dim, int Order> double error_of_laplacians(MlsDerivative derivativ
     return worst / shape.fit[0]->condition;
 }
 
-constexpr const char* why =
-    "M is known to N (k + 3) u and solved to N² u, u = 1.1e-16, which κ amplifies; N ≤ 10 and "
-    "k ≤ 100: 1.3e-13 κ. Derivatives of the weights add h|∇ω|/ω ≈ 5; for the Laplacian see its own";
+/// M is known to N (k + 3) u and solved to N² u, which κ amplifies; `more` for what derivatives of the
+/// weights add.
+template <int Dim, int Order> Bound rounding(double more, const char* of_what) {
+    const auto n = static_cast<double>(PolynomialBasis<Dim, Order>::size);
+    const auto k = static_cast<double>(shifted_cloud<Dim>(Order).near().indices.size());
+    return at_most(
+        more * n * (k + 3.0 + n) * 0x1p-53,
+        fmt::format(
+            "with u = 2⁻⁵³, N = {} monomials and k = {} neighbours M is known to N (k + 3) u and "
+            "solved to N² u, which κ amplifies{}",
+            n, k, of_what));
+}
 
 template <int Dim, int Order> void add_oracle_claims(std::vector<Claim>& claims) {
     const auto id = [](const char* what) {
@@ -91,9 +102,10 @@ template <int Dim, int Order> void add_oracle_claims(std::vector<Claim>& claims)
          .says = fmt::format("Φⱼ of order {} from the centred and scaled basis is Eq. 27 with raw "
                              "monomials in 50 digits",
                              Order),
-         .bound = at_most(1e-12, why),
-         .measure = [] { return error_of_values<Dim, Order>(Order); },
-         .sabotaged = [] { return error_of_values<Dim, Order>(Order - 1); }});
+         .bound = rounding<Dim, Order>(1.0, ""),
+         .measure = [] { return error_of_values<Dim, Order>(support(Order)); },
+         .sabotaged =
+             [] { return error_of_values<Dim, Order>(static_cast<float>(support(Order))); }});
     claims.push_back(
         {.id = id("gradient"),
          .source = {Paper::adams2009, "Eqs. 30, 31"},
@@ -101,7 +113,7 @@ template <int Dim, int Order> void add_oracle_claims(std::vector<Claim>& claims)
              fmt::format("∇Φⱼ of order {} is the slope of Eq. 27 by differences in 50 digits; the "
                          "diffuse derivative is not",
                          Order),
-         .bound = at_most(1e-12, why),
+         .bound = rounding<Dim, Order>(5.0, "; derivatives of the weights add h|∇ω|/ω ≈ 5"),
          .measure = [] { return error_of_gradients<Dim, Order>(MlsDerivative::full); },
          .sabotaged = [] { return error_of_gradients<Dim, Order>(MlsDerivative::diffuse); }});
     claims.push_back(
@@ -109,7 +121,7 @@ template <int Dim, int Order> void add_oracle_claims(std::vector<Claim>& claims)
          .source = {Paper::adams2009, "Eq. 34"},
          .says = fmt::format(
              "ΔΦⱼ of order {} is the Laplacian of Eq. 27 by differences in 50 digits", Order),
-         .bound = at_most(3e-12, "as the value, times h²|Δω|/ω ≈ 22 in the mean over the support"),
+         .bound = rounding<Dim, Order>(22.0, "; h²|Δω|/ω ≈ 22 in the mean over the support"),
          .measure = [] { return error_of_laplacians<Dim, Order>(MlsDerivative::full); },
          .sabotaged = [] { return error_of_laplacians<Dim, Order>(MlsDerivative::diffuse); }});
 }
