@@ -71,16 +71,18 @@ double error_of_column(double exponent_of_table) {
         return tait.density(r("p"));
     });
 }
-double refused() {
-    int caught = 0;
+/// How many of nine bad sets of parameters are taken; with γ larger by `more` only eight are bad.
+double accepted(double more) {
+    int accepted = 0;
     const double bad[][3] = {{0, 1, 7},  {-1, 1, 7},  {1, 0, 7},   {1, -2, 7},      {1, 1, 0.5},
                              {1, 1, -7}, {NAN, 1, 7}, {1, 1, NAN}, {1, HUGE_VAL, 7}};
     for (const auto& [rho, c, gamma] : bad) try {
-            TaitEquation(rho, c, gamma);
+            TaitEquation(rho, c, gamma + more);
+            ++accepted;
         } catch (const InvalidInput&) {
-            ++caught;
+            continue;
         }
-    return std::size(bad) - caught;
+    return accepted;
 }
 
 const Register claims_of_tait{
@@ -129,7 +131,8 @@ const Register claims_of_tait{
           .says = "InvalidInput for each of 9 sets of parameters that are not positive or not "
                   "finite, or with γ < 1",
           .bound = at_most(0.0, "a count"),
-          .measure = refused},
+          .measure = [] { return accepted(0.0); },
+          .sabotaged = [] { return accepted(0.5); }},
 };
 }  // namespace
 }  // namespace tait_equation_claims
