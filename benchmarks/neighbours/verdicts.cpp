@@ -27,7 +27,7 @@ const SearchResult* hash_grid(const CaseResult& result) {
 }
 
 /// "3.1 [2.9, 3.4]".
-std::string in_words(const Ratio& ratio) {
+std::string with_interval(const Ratio& ratio) {
     return fmt::format("{:.2g} [{:.2g}, {:.2g}]", ratio.value, ratio.low, ratio.high);
 }
 
@@ -59,10 +59,10 @@ template <class Search> std::vector<AtContrast> over_kd_tree(const Cases& cases,
     return all;
 }
 
-std::string in_words(const std::vector<AtContrast>& all) {
+std::string with_interval(const std::vector<AtContrast>& all) {
     std::string text;
     for (const AtContrast& at : all)
-        text += fmt::format("{}{} at 1:{:g}", text.empty() ? "" : ", ", in_words(at.ratio),
+        text += fmt::format("{}{} at 1:{:g}", text.empty() ? "" : ", ", with_interval(at.ratio),
                             at.contrast);
     return text;
 }
@@ -97,7 +97,7 @@ std::string fastest_in_words(const Cases& cases) {
         const SearchResult* tree = fastest_of(c, {"leaf_tree_packed", "nanoflann_packed"});
         if (c.count != largest(cases).count || !grid || !tree) continue;
         text += fmt::format("{}{} {} at 1:{:g}", text.empty() ? "" : ", ", grid->name,
-                            in_words(ratio_of(*grid, *tree, total_cost, c.noise)),
+                            with_interval(ratio_of(*grid, *tree, total_cost, c.noise)),
                             c.contrast.value_or(1.0));
     }
     return text.empty()
@@ -112,11 +112,11 @@ void judge_adaptivity(const Cases& cases, std::vector<Verdict>& verdicts) {
     if (hash.empty()) return;
     std::string evidence = fmt::format(
         "time of the hash grid over that of the kd-tree, {} points graded in density, {}: {}; {}.",
-        largest(cases).count, radius, in_words(hash), crossover(hash));
+        largest(cases).count, radius, with_interval(hash), crossover(hash));
     const auto cells = over_kd_tree(cases, cell_grid);
     if (!cells.empty())
-        evidence += fmt::format(" The grid of sorted, occupied cells: {}; {}.", in_words(cells),
-                                crossover(cells));
+        evidence += fmt::format(" The grid of sorted, occupied cells: {}; {}.",
+                                with_interval(cells), crossover(cells));
     evidence += fastest_in_words(cases);
     verdicts.push_back({fmt::format("With strongly varying density, kd-trees have advantages over "
                                     "hash grids ({})",
@@ -157,7 +157,7 @@ void judge_even_density(const CaseResult& result, std::vector<Verdict>& verdicts
          "density)",
          word_of(total),
          fmt::format("time of the kd-tree over that of the hash grid, {} points: {}.", result.count,
-                     in_words(total))});
+                     with_interval(total))});
     const auto share = [](const Runs& runs) {
         std::vector<double> shares;
         for (std::size_t k = 0; k < runs.rounds(); ++k)
@@ -170,7 +170,7 @@ void judge_even_density(const CaseResult& result, std::vector<Verdict>& verdicts
          fmt::format("built and asked once per step, {} points: building takes {:.2g} % of the "
                      "kd-tree's time and {:.2g} % of the hash grid's, {} times the share.",
                      result.count, 100.0 * verification::median(share(tree->runs)),
-                     100.0 * verification::median(share(grid->runs)), in_words(shares))});
+                     100.0 * verification::median(share(grid->runs)), with_interval(shares))});
 }
 /// Of moving points: how much a search spends on sorting, and so what a partial re-sort can save at most.
 void judge_sorting(const Cases& cases, std::vector<Verdict>& verdicts) {
