@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 
 namespace reports {
@@ -42,7 +43,16 @@ Json json_of(const SeriesResult& s) {
 }
 }  // namespace
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) {
+    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+    return std::isnan(value) ? Json(nullptr) : Json(value);
+}
+
+double value_of(const Json& number) {
+    if (number.is_number()) return number.get<double>();
+    if (number == "inf") return HUGE_VAL;
+    return number == "-inf" ? -HUGE_VAL : std::numeric_limits<double>::quiet_NaN();
+}
 
 Json json_of(const Provenance& p) {
     return {

@@ -13,8 +13,12 @@ namespace reports {
 
 using Json = nlohmann::ordered_json;
 
-/// The number, or null where JSON has none for it: NaN and both infinities.
+/// The number, or what stands for it where JSON has none: "inf" and "-inf" (a bound that is open on
+/// that side), null for NaN (no answer).
 Json number(double value);
+
+/// The opposite: the number, an infinity, or NaN for null and everything else.
+double value_of(const Json& number);
 
 Json json_of(const Provenance& provenance);
 Json json_of(const verification::Source& source);

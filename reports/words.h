@@ -6,8 +6,14 @@
 
 namespace reports {
 
-/// A number for people: "1.23e-05", "12", "0.5"; "none" for null.
+/// A number for people: "1.23e-05", "12", "0.5", "∞"; "none" for null.
 std::string short_number(const Json& value);
+
+/// How many times, for a sentence: "1.8", "180", "1.8·10⁵"; two digits.
+std::string factor_in_words(double factor);
+
+/// An order for a sentence, one digit after the point; what rounds to zero has no sign.
+std::string order_in_words(double order);
 
 /// "≤ 1e-06", "≥ 1", "in [0.9, 2.1]" of a bound as json_of(Bound) gives it.
 std::string bound_in_words(const Json& bound);

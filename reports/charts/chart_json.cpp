@@ -1,14 +1,8 @@
 #include "reports/charts/chart_json.h"
 
-#include <limits>
-
 namespace reports {
 
 namespace {
-double value_of(const Json& json) {
-    return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
 Json numbers(const std::vector<double>& values) {
     Json all = Json::array();
     for (const double v : values) all.push_back(number(v));

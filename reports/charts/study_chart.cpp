@@ -1,5 +1,7 @@
 #include "reports/charts/study_chart.h"
 
+#include "reports/words.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +14,7 @@ using namespace verification;
 namespace {
 std::string order_of(const SeriesResult& s) {
     if (s.verdict == Verdict::verified && s.expected_saturation) return "saturates";
-    return fmt::format("order {:.1f}", s.fit.order);
+    return "order " + order_in_words(s.fit.order);
 }
 
 /// What the study found, in a sentence: who is the most exact at the finest level, by how much.
@@ -25,9 +27,9 @@ std::string finding(const StudyResult& result) {
     }
     if (!best) return "No method gave an answer";
     if (best == worst) return fmt::format("{} converges: {}", best->name, order_of(*best));
-    return fmt::format("{} ({}) ends {:.2g} times below {} ({})", best->name, order_of(*best),
-                       worst->fit.error.back() / best->fit.error.back(), worst->name,
-                       order_of(*worst));
+    return fmt::format("{} ({}) ends {} times below {} ({})", best->name, order_of(*best),
+                       factor_in_words(worst->fit.error.back() / best->fit.error.back()),
+                       worst->name, order_of(*worst));
 }
 
 Chart::Series series_of(const SeriesResult& s, const std::vector<double>& spacing) {
@@ -63,8 +65,11 @@ Chart chart_of(const StudyResult& result) {
         chart.series.push_back(series_of(s, result.spacing));
     chart.slopes = expected_orders(result);
     chart.caption = fmt::format(
-        "{} ({} {}). Medians of {} seeds, bars from the least to the largest.", result.study.says,
-        name_of(result.study.source.paper), result.study.source.place, result.seeds);
+        "{} ({} {}). {}.", result.study.says, name_of(result.study.source.paper),
+        result.study.source.place,
+        result.seeds == 1
+            ? "Nothing is random: one run per level"
+            : fmt::format("Medians of {} seeds, bars from the least to the largest", result.seeds));
     chart.alt = fmt::format("{} over spacing, {} series. {}.", result.study.quantity,
                             result.series.size(), chart.finding);
     chart.command = "plumbline converge " + result.study.id;

@@ -48,11 +48,10 @@ void print_series(const Json& s) {
 }
 
 void print_table(const Json& study) {
-    fmt::print("\n{}: {}\n  {}, {} levels of spacing {}, {} seeds, {:.1f} s\n",
-               study["id"].get<std::string>(), study["says"].get<std::string>(),
-               study["quantity"].get<std::string>(), study["spacing"].size(),
-               joined(study["spacing"], "{:.4g}"), study["seeds"].get<int>(),
-               study["seconds"].get<double>());
+    fmt::print("\n{}: {}\n  {}, {} of spacing {}, {}, {:.1f} s\n", study["id"].get<std::string>(),
+               study["says"].get<std::string>(), study["quantity"].get<std::string>(),
+               counted(study["spacing"].size(), "level"), joined(study["spacing"], "{:.4g}"),
+               counted(study["seeds"].get<std::size_t>(), "seed"), study["seconds"].get<double>());
     for (const char* remark : {"error", "warning"})
         if (study.contains(remark))
             fmt::print("  {}: {}\n", remark, study[remark].get<std::string>());

@@ -29,10 +29,10 @@ void print(const Json& map) {
         fmt::print("  {:<12} {}\n", line["verdict"].get<std::string>(),
                    line["name"].get<std::string>());
         for (const Json& p : line["points"])
-            fmt::print(
-                "    {:>10} theory {:>10} measured {:>10} ratio {}\n", short_number(p["x"]),
-                short_number(p["theory"]), short_number(p["measured"]),
-                p["ratio"].is_null() ? "none" : fmt::format("{:.3f}", p["ratio"].get<double>()));
+            fmt::print("    {:>10} theory {:>10} measured {:>10} ratio {}\n", short_number(p["x"]),
+                       short_number(p["theory"]), short_number(p["measured"]),
+                       p["ratio"].is_number() ? fmt::format("{:.3f}", p["ratio"].get<double>())
+                                              : short_number(p["ratio"]));
         if (line["verdict"] != "verified" || line["expected"]["high"] != 1.02)
             fmt::print("    expected {}: {}\n", bound_in_words(line["expected"]),
                        line["expected"]["why"].get<std::string>());

@@ -49,8 +49,8 @@ Json view(const Json& report) {
                     {"warning", study.value("warning", "")},
                     {"source", study["source"]["paper"].get<std::string>() + " " +
                                    study["source"]["place"].get<std::string>()},
-                    {"seeds", study["seeds"]},
-                    {"levels", study["spacing"].size()},
+                    {"seeds", counted(study["seeds"].get<std::size_t>(), "seed")},
+                    {"levels", counted(study["spacing"].size(), "level")},
                     {"series", Json::array()}};
         for (const Json& series : study["series"]) row["series"].push_back(row_of(series));
         if (study.contains("chart")) row["chart"] = study["chart"];

@@ -16,9 +16,10 @@ void measure_maps(ReportRun& run) {
 std::string ratios_of(const Json& points) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const Json& p : points) {
-        if (p["ratio"].is_null()) continue;
-        low = std::min(low, p["ratio"].get<double>());
-        high = std::max(high, p["ratio"].get<double>());
+        const double ratio = value_of(p["ratio"]);
+        if (std::isnan(ratio)) continue;
+        low = std::min(low, ratio);
+        high = std::max(high, ratio);
     }
     return low > high ? "none" : fmt::format("{:.3f} to {:.3f}", low, high);
 }

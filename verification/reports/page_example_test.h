@@ -13,7 +13,7 @@ inline reports::Json small_report() {
                 {"source", {{"paper", "adams2009"}, {"place", "Eq. 13"}}},
                 {"says", "<script>alert(1)</script> & more"},
                 {"measured", 1e-9},
-                {"bound", {{"low", nullptr}, {"high", 1e-6}, {"why", "because"}}},
+                {"bound", {{"low", "-inf"}, {"high", 1e-6}, {"why", "because"}}},
                 {"verdict", verdict},
                 {"sabotaged", {{"measured", nullptr}, {"caught", true}}},
                 {"seconds", 0.1}};

@@ -1,6 +1,7 @@
 // The forms in which results leave the program: JSON and JUnit.
 #include "reports/json.h"
 #include "reports/junit.h"
+#include "reports/words.h"
 
 #include <boost/property_tree/xml_parser.hpp>
 #include <catch2/catch.hpp>
@@ -29,15 +30,41 @@ ClaimResult result(const char* id, Verdict verdict, double measured) {
 }
 }  // namespace
 
-TEST_CASE("a claim in JSON has the promised members, and null for what is infinite") {
+TEST_CASE("a claim in JSON has the promised members, and a word for what is infinite") {
     const Json json = json_of(result("a.b", Verdict::verified, 1e-9));
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) keys.push_back(key);
     CHECK(keys == std::vector<std::string>{"id", "source", "says", "measured", "bound", "verdict",
                                            "sabotaged", "seconds"});
-    CHECK(json["bound"] == Json{{"low", nullptr}, {"high", 1e-6}, {"why", "rounding <= 1e-6"}});
+    CHECK(json["bound"] == Json{{"low", "-inf"}, {"high", 1e-6}, {"why", "rounding <= 1e-6"}});
     CHECK(json["sabotaged"] == Json{{"measured", 1.0}, {"caught", true}});
     CHECK(json_of(result("a.b", Verdict::failed, NAN))["measured"].is_null());
+    CHECK(json_of(result("a.b", Verdict::failed, HUGE_VAL))["measured"] == "inf");
+}
+
+TEST_CASE("what JSON has no number for comes back as it was") {
+    for (const double x : {1.5, 0.0, HUGE_VAL, -HUGE_VAL})
+        CHECK(reports::value_of(reports::number(x)) == x);
+    CHECK(std::isnan(reports::value_of(reports::number(NAN))));
+}
+
+TEST_CASE("numbers in sentences have no exponent, and zero no sign") {
+    using reports::factor_in_words;
+    CHECK(factor_in_words(1.84) == "1.8");
+    CHECK(factor_in_words(9.96) == "10");
+    CHECK(factor_in_words(178.0) == "180");
+    CHECK(factor_in_words(99999.0) == "1.0·10⁵");
+    CHECK(factor_in_words(2.34e12) == "2.3·10¹²");
+    CHECK(factor_in_words(0.041) == "4.1·10⁻²");
+    CHECK(factor_in_words(NAN) == "none");
+    CHECK(reports::order_in_words(-0.02) == "0.0");
+    CHECK(reports::order_in_words(-1.04) == "-1.0");
+}
+
+TEST_CASE("a bound that is open on one side is told in words") {
+    CHECK(reports::bound_in_words(json_of(at_most(1e-6, ""))) == "≤ 1e-06");
+    CHECK(reports::bound_in_words(json_of(at_least(2.0, ""))) == "≥ 2");
+    CHECK(reports::short_number(reports::number(HUGE_VAL)) == "∞");
 }
 
 TEST_CASE("a document names its schema and where it comes from") {
