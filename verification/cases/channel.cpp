@@ -5,9 +5,6 @@
 namespace verification {
 namespace {
 using namespace plumbline;
-using Box = PeriodicBox<2>;
-using Search = CellGrid<2, Box>;
-using W = WendlandC2<2>;
 
 /// Fills the fluid, under the pressure of a column at rest with g = 1 m/s² if there is no lid, and three layers of ghosts per wall.
 template <class Scene>
@@ -33,6 +30,9 @@ void fill(Scene& scene, const Channel& c, double width, const TaitEquation& tait
 
 /// Without end along x, after `width`.
 auto scene_of(const Channel& c, double width) {
+    using Box = PeriodicBox<2>;
+    using Search = CellGrid<2, Box>;
+    using W = WendlandC2<2>;
     const double h = c.support * c.spacing, c0 = c.speed_of_sound;
     const W w(h);
     const TaitEquation tait(1.0, c0, 7.0);
