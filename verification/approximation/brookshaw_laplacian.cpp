@@ -14,11 +14,6 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Dim>& disordered() {
-    static const Fields<Dim> fields(2.5);
-    return fields;
-}
-
 constexpr auto brookshaw = [](const auto& d, std::span<const double> f, Index i) {
     return laplacian_brookshaw(d.w, d.samples(), f, i);
 };
@@ -28,14 +23,6 @@ constexpr auto by_eq_15 = [](const auto& d, std::span<const double> f, Index i) 
 constexpr auto by_eq_11 = [](const auto& d, std::span<const double> f, Index i) {
     return laplacian_summation(d.w, d.samples(), f, d.samples().at(i));
 };
-
-template <int Dim, class Form> double of_a_constant(Form form) {
-    const auto& d = disordered<Dim>();
-    const std::vector<double> f(d.size(), 7.0);
-    double worst = 0.0;
-    for (Index i = 0; i < d.size(); ++i) worst = std::max(worst, std::abs(form(d, f, i)));
-    return worst;
-}
 
 /// h² max Δf over all samples that are the maximum of f among their neighbours, f being random there.
 template <int Dim, class Form> double largest_at_a_maximum(Form form) {

@@ -14,11 +14,6 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Dim>& disordered() {
-    static const Fields<Dim> fields(2.5);
-    return fields;
-}
-
 constexpr auto mass_weighted = [](const auto& d, std::span<const double> f, Index i) {
     return gradient_mass_weighted(d.w, d.samples(), d.m, d.rho, f, i);
 };
@@ -49,14 +44,6 @@ constexpr auto symmetric = [](const auto& d, std::span<const double> f, Index i)
     return gradient_symmetric(d.w, d.samples(), d.m, d.rho, f, i);
 };
 const Register mutants_of_eq_19{&eq_19_with_minus, &eq_19_with_volumes};
-
-template <int Dim, class Form> double of_a_constant(Form form) {
-    const auto& d = disordered<Dim>();
-    const std::vector<double> f(d.size(), 7.0);
-    double worst = 0.0;
-    for (Index i = 0; i < d.size(); ++i) worst = std::max(worst, form(d, f, i).norm());
-    return worst * d.w.support() / 7.0;
-}
 
 template <class A, class B> std::vector<double> times(const A& a, const B& b, double power = 1.0) {
     std::vector<double> product;
@@ -162,13 +149,6 @@ template <int Dim> double difference_from_eq_13(bool uniform) {
     }
     const Vec<Dim> g = gradient_difference(d.w, d.samples(), d.f, d.patch.centre);
     return (mass_weighted(d, d.f, d.patch.centre) - g).norm() / g.norm();
-}
-
-template <int Dim, class Form> double change_of_gradient(Form form, bool turn) {
-    return change_under_similarity<Dim>(2.5, 1, [=](const auto& d, Index i) {
-        const Vec<Dim> g = form(d, d.f, i);
-        return turn ? g : Vec<Dim>(g.cwiseAbs());
-    });
 }
 
 const Register rules{

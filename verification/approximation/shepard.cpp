@@ -16,11 +16,6 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Dim>& disordered() {
-    static const Fields<Dim> fields(2.5);
-    return fields;
-}
-
 /// max |error(fields, place)| over places between the disordered samples.
 template <int Dim, class Error> double worst_in_disorder(int n_places, Error error) {
     const auto& d = disordered<Dim>();

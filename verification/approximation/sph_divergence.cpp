@@ -14,11 +14,6 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Dim>& disordered() {
-    static const Fields<Dim> fields(2.5);
-    return fields;
-}
-
 template <int Dim> using Vectors = std::span<const Vec<Dim>>;
 template <class D> using VectorsOf = Vectors<decltype(D::w)::dim>;
 

@@ -15,11 +15,6 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Dim>& disordered() {
-    static const Fields<Dim> fields(2.5);
-    return fields;
-}
-
 constexpr auto summation = [](const auto& d, std::span<const double> f, Index i) {
     return gradient_summation(d.w, d.samples(), f, d.samples().at(i));
 };
@@ -27,16 +22,9 @@ constexpr auto difference = [](const auto& d, std::span<const double> f, Index i
     return gradient_difference(d.w, d.samples(), f, i);
 };
 
-/// h max ‖∇f‖ / |f| for constant f.
-template <int Dim, class Form> double of_a_constant(Form form) {
-    const auto& d = disordered<Dim>();
-    const std::vector<double> f(d.size(), 7.0);
-    double worst = 0.0;
-    for (Index i = 0; i < d.size(); ++i) worst = std::max(worst, form(d, f, i).norm());
-    return worst * d.w.support() / 7.0;
-}
-/// The same at the centre of a patch with lattice volumes.
-template <int Dim, class Form> double of_a_constant(Form form, const Patch<Dim>& patch, double h) {
+/// h ‖∇f‖ / |f| for constant f at the centre of a patch with lattice volumes.
+template <int Dim, class Form>
+double of_a_constant_at_centre(Form form, const Patch<Dim>& patch, double h) {
     Fields<Dim> d(h);
     d.patch = patch;
     const std::vector<double> f(d.patch.x.size(), 7.0);
@@ -45,7 +33,7 @@ template <int Dim, class Form> double of_a_constant(Form form, const Patch<Dim>&
 template <int Dim, class Form>
 double of_a_constant_on(const Lattice<Dim>& lattice, Form form, PatchShape shape) {
     shape.support = 2.5;
-    return of_a_constant(form, Patch<Dim>(lattice, shape), shape.support);
+    return of_a_constant_at_centre(form, Patch<Dim>(lattice, shape), shape.support);
 }
 
 /// ‖∇⟨f⟩ − the derivative of the sum itself‖ h, at places between the samples.
@@ -182,13 +170,6 @@ const Register surface_errors{
           .measure = [] { return surface_error_along(1); },
           .sabotaged = [] { return surface_error_along(0); },
           .erratum = 50}};
-
-template <int Dim, class Form> double change_of_gradient(Form form, bool turn) {
-    return change_under_similarity<Dim>(2.5, 1, [=](const auto& d, Index i) {
-        const Vec<Dim> g = form(d, d.f, i);
-        return turn ? g : Vec<Dim>(g.cwiseAbs());
-    });
-}
 
 template <int Dim>
 std::vector<Claim> claims_on_lattices(const std::vector<KnownLattice<Dim>>& lattices) {

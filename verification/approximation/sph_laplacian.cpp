@@ -17,11 +17,6 @@ using namespace plumbline;
 using namespace verification;
 template <int Dim> using Poly6 = UnderTest<plumbline::Poly6<Dim>>;
 
-template <int Dim> const Fields<Dim>& disordered() {
-    static const Fields<Dim> fields(2.5);
-    return fields;
-}
-
 constexpr auto true_laplacian = [](const auto& w, double r) { return laplacian(w, r); };
 /// Δω as it is printed below Eq. 11.
 constexpr auto as_printed = [](const auto& w, double r) { return w.second_derivative(r); };
@@ -47,14 +42,6 @@ constexpr auto difference_as_printed = [](const auto& d, std::span<const double>
     return sum_with(d.w, d.samples(), f, d.samples().at(i), f[i], as_printed);
 };
 
-/// h² max |Δf| / |f| for constant f.
-template <int Dim, class Form> double of_a_constant(Form form) {
-    const auto& d = disordered<Dim>();
-    const std::vector<double> f(d.size(), 7.0);
-    double worst = 0.0;
-    for (Index i = 0; i < d.size(); ++i) worst = std::max(worst, std::abs(form(d, f, i)));
-    return worst * d.w.support() * d.w.support() / 7.0;
-}
 constexpr auto summation_at_sample = [](const auto& d, std::span<const double> f, Index i) {
     return summation(d, f, d.samples().at(i));
 };

@@ -13,11 +13,6 @@ namespace {
 using namespace plumbline;
 using namespace verification;
 
-template <int Dim> const Fields<Dim>& disordered() {
-    static const Fields<Dim> fields(2.5);
-    return fields;
-}
-
 /// max over samples of |Σⱼ Φⱼ fⱼ − ⟨f⟩|, and of its derivatives in units of h; `volume_of(i, j)` is whose
 /// volume is taken: Vⱼ in Eq. 40.
 template <int Dim, class VolumeOf> double distance_from_sums(VolumeOf volume_of) {

@@ -123,6 +123,14 @@ double change_under_similarity(double support, int power,
     return change<Dim, Vec<Dim>>(support, power, op);
 }
 
+template <int Dim> const Fields<Dim>& disordered() {
+    static const Fields<Dim> fields(2.5);
+    return fields;
+}
+
+template const Fields<1>& disordered<1>();
+template const Fields<2>& disordered<2>();
+template const Fields<3>& disordered<3>();
 template Similarity<1> any_similarity<1>(std::size_t);
 template struct Fields<1>;
 template double order_under_refinement<1>(double, double,

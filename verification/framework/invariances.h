@@ -36,6 +36,26 @@ template <int Dim> struct Fields : Disordered<Dim> {
     Fields moved(const Similarity<Dim>& by) const;
 };
 
+/// Fields with 2.5 spacings per support, always the same.
+template <int Dim> const Fields<Dim>& disordered();
+
+/// max ‖form(fields, f, i)‖ hᵖ / |f| over the samples of disordered() for constant f; the form gives a
+/// gradient (p = 1) or a Laplacian (p = 2).
+template <int Dim, class Form> double of_a_constant(Form form) {
+    const auto& d = disordered<Dim>();
+    const std::vector<double> f(d.size(), 7.0);
+    double worst = 0.0;
+    for (plumbline::Index i = 0; i < d.size(); ++i) {
+        const double h = d.w.support();
+        const auto operated = form(d, f, i);
+        if constexpr (std::floating_point<std::remove_cvref_t<decltype(operated)>>)
+            worst = std::max(worst, std::abs(operated) * h * h / 7.0);
+        else
+            worst = std::max(worst, operated.norm() * h / 7.0);
+    }
+    return worst;
+}
+
 /// The order in the spacing of an error that lengths alone decide, h/spacing fixed: log₂ of what it is,
 /// over what it is when all lengths are halved.
 template <int Dim>
@@ -52,5 +72,14 @@ template <int Dim>
 double change_under_similarity(
     double support, int power,
     const std::function<plumbline::Vec<Dim>(const Fields<Dim>&, plumbline::Index)>& op);
+
+/// That of a gradient form(fields, f, i); wrong on purpose if it is not turned along, but its components
+/// taken without their signs.
+template <int Dim, class Form> double change_of_gradient(Form form, bool turn) {
+    return change_under_similarity<Dim>(2.5, 1, [=](const auto& d, plumbline::Index i) {
+        const plumbline::Vec<Dim> g = form(d, d.f, i);
+        return turn ? g : plumbline::Vec<Dim>(g.cwiseAbs());
+    });
+}
 
 }  // namespace verification
