@@ -1,5 +1,7 @@
 #include "reports/json.h"
 
+#include "verification/framework/mutant.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -83,6 +85,7 @@ Json json_of(const ClaimResult& r) {
         json["sabotaged"] = {{"measured", number(*r.sabotaged)},
                              {"caught", !r.claim.bound.holds(*r.sabotaged)}};
     if (r.claim.erratum) json["erratum"] = *r.claim.erratum;
+    for (const Mutant* mutant : r.depends_on) json["depends_on"].push_back(mutant->printed);
     if (!r.error.empty()) json["error"] = r.error;
     return json;
 }

@@ -53,8 +53,18 @@ struct MutantRow {
     std::vector<Cell> cells;  // the claims on the operator, by their ids
     std::size_t caught() const;
 };
-/// Every mutant in the place of its operator, for each of `claims` that depends on it.
-std::vector<MutantRow> measure_mutants(const std::vector<verification::Claim>& claims,
+/// A claim, and the mutants of the operators that it calls.
+struct Dependent {
+    std::string id;
+    const verification::Claim* claim;
+    std::vector<verification::Mutant*> on;
+};
+std::vector<Dependent> dependents(const std::vector<verification::ClaimResult>& results);
+/// Of results as json_of(ClaimResult) gives them, of claims that are registered.
+std::vector<Dependent> dependents(const Json& results);
+
+/// Every mutant in the place of its operator, for each of the claims that depend on it.
+std::vector<MutantRow> measure_mutants(const std::vector<Dependent>& claims,
                                        double seconds_per_claim);
 Json json_of(const MutantRow& row);
 

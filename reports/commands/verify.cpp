@@ -105,7 +105,7 @@ ExitCode verify(const Options& options) {
     const auto results = measure_all(selected, options.seconds_per_claim);
     auto printed_forms = errata_in(results);
     std::vector<MutantRow> matrix;
-    if (options.mutants) matrix = measure_mutants(selected, options.seconds_per_claim);
+    if (options.mutants) matrix = measure_mutants(dependents(results), options.seconds_per_claim);
     if (selected.size() < claims().size()) {  // of a part, only what it is about
         std::erase_if(printed_forms, [](const ErratumResult& e) { return e.claims.empty(); });
         std::erase_if(matrix, [](const MutantRow& row) { return row.cells.empty(); });

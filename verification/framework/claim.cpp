@@ -1,5 +1,7 @@
 #include "verification/framework/claim.h"
 
+#include "verification/framework/mutant.h"
+
 #include <chrono>
 #include <exception>
 #include <limits>
@@ -26,9 +28,10 @@ std::string_view name_of(Verdict verdict) {
 
 ClaimResult measure(const Claim& claim) {
     const auto start = std::chrono::steady_clock::now();
-    ClaimResult result{claim, Verdict::failed, std::numeric_limits<double>::quiet_NaN(), {}, 0, {}};
+    ClaimResult result{claim, Verdict::failed, std::numeric_limits<double>::quiet_NaN(), {}, 0, {},
+                       {}};
     try {
-        result.measured = claim.measure();
+        result.depends_on = mutants_asked_by([&] { result.measured = claim.measure(); });
         if (claim.sabotaged) result.sabotaged = claim.sabotaged();
         const bool caught = !result.sabotaged || !claim.bound.holds(*result.sabotaged);
         if (claim.bound.holds(result.measured))

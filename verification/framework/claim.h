@@ -46,6 +46,8 @@ struct Erratum {
     std::string corrected;
 };
 
+class Mutant;
+
 enum class Verdict {
     verified,
     failed,
@@ -63,9 +65,11 @@ struct ClaimResult {
     std::optional<double> sabotaged;
     double seconds;
     std::string error;
+    std::vector<Mutant*> depends_on = {};  // those whose operators `claim.measure` called
 };
 
 /// Measures `claim` and its sabotaged variant. Never throws: what a measurement throws is its error.
+/// Not to be called by two threads at once.
 ClaimResult measure(const Claim& claim);
 
 }  // namespace verification

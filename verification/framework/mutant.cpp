@@ -33,12 +33,19 @@ double measured(const Claim& claim) {
 }
 }  // namespace
 
-std::vector<MutantResult> measure_with_mutants(const Claim& claim) {
+std::vector<Mutant*> mutants_asked_by(const std::function<void()>& measurement) {
     Experiment::forget_who_was_asked();
-    measured(claim);
-    std::vector<Mutant*> depends_on;
+    measurement();
+    std::vector<Mutant*> asked;
     for (Mutant* mutant : mutants())
-        if (Experiment::was_asked(*mutant)) depends_on.push_back(mutant);
+        if (Experiment::was_asked(*mutant)) asked.push_back(mutant);
+    return asked;
+}
+
+std::vector<MutantResult> measure_with_mutants(const Claim& claim,
+                                               const std::vector<Mutant*>& depends_on) {
+    // What the claim keeps from its first run on has to come from the solver's own operators.
+    if (!depends_on.empty()) measured(claim);
     std::vector<MutantResult> results;
     for (Mutant* mutant : depends_on) {
         const Experiment experiment(*mutant);

@@ -41,8 +41,12 @@ struct MutantResult {
     bool caught;      // it is out of the claim's bound
 };
 
-/// Measures `claim` as it is, so as to learn which operators it depends on: those whose seam it
-/// passes; then with each mutant of them. Not to be called by two threads at once.
-std::vector<MutantResult> measure_with_mutants(const Claim& claim);
+/// The mutants whose seams `measurement` passes. Not to be called by two threads at once.
+std::vector<Mutant*> mutants_asked_by(const std::function<void()>& measurement);
+
+/// Measures `claim` with each of the mutants that it depends on, one at a time. Not to be called by two
+/// threads at once.
+std::vector<MutantResult> measure_with_mutants(const Claim& claim,
+                                               const std::vector<Mutant*>& depends_on);
 
 }  // namespace verification

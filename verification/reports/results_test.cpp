@@ -1,6 +1,7 @@
 // The forms in which results leave the program: JSON and JUnit.
 #include "reports/json.h"
 #include "reports/junit.h"
+#include "reports/measurements.h"
 #include "reports/words.h"
 
 #include <boost/property_tree/xml_parser.hpp>
@@ -40,6 +41,19 @@ TEST_CASE("a claim in JSON has the promised members, and a word for what is infi
     CHECK(json["sabotaged"] == Json{{"measured", 1.0}, {"caught", true}});
     CHECK(json_of(result("a.b", Verdict::failed, NAN))["measured"].is_null());
     CHECK(json_of(result("a.b", Verdict::failed, HUGE_VAL))["measured"] == "inf");
+}
+
+TEST_CASE("which mutants a claim depends on is read back from JSON") {
+    const Claim& claim = verification::claims().front();
+    Mutant* const mutant = verification::mutants().back();
+    ClaimResult measured{claim, Verdict::verified, 0.0, {}, 0.0, {}, {mutant}};
+    Json results = Json::array({json_of(measured), json_of(result("a.b", Verdict::verified, 0))});
+    const auto read = reports::dependents(results);
+    REQUIRE(read.size() == 1);
+    CHECK(read[0].id == claim.id);
+    CHECK(read[0].on == std::vector{mutant});
+    results[0]["depends_on"][0] = "Eq. 0";
+    CHECK_THROWS_WITH(reports::dependents(results), "not registered: Eq. 0");
 }
 
 TEST_CASE("what JSON has no number for comes back as it was") {
