@@ -7,6 +7,19 @@
 
 namespace verification {
 
+/// Two waves on [0, 1], of different length so that f is no multiple of its second derivative:
+///     f = sin(7x) + 1/2 cos(11x)
+/// Dimensionless values of lengths in metres; |f| ≤ 3/2, |f′| < 12.5/m, |f″| < 110/m².
+struct Tones {
+    static constexpr int dim = 1;
+
+    template <class Real> static Real at(const std::array<Real, 1>& x);
+
+    static double value(const plumbline::Vec<1>& x) { return at<double>({x[0]}); }
+    static plumbline::Vec<1> gradient(const plumbline::Vec<1>& x);
+    static double laplacian(const plumbline::Vec<1>& x);
+};
+
 /// Franke's function on [0, 1]²: two hills, a slope and a dip                       Franke 1979
 ///     f = 3/4 e^(−(u−2)²/4 − (v−2)²/4) + 3/4 e^(−(u+1)²/49 − (v+1)/10)
 ///       + 1/2 e^(−(u−7)²/4 − (v−3)²/4) − 1/5 e^(−(u−4)² − (v−7)²),   u = 9x, v = 9y
@@ -37,9 +50,16 @@ struct Waves {
 
 /// The test function of each dimension.
 template <int Dim> struct TestFunctionOf;
+template <> struct TestFunctionOf<1> { using type = Tones; };
 template <> struct TestFunctionOf<2> { using type = Franke; };
 template <> struct TestFunctionOf<3> { using type = Waves; };
 template <int Dim> using TestFunction = typename TestFunctionOf<Dim>::type;
+
+template <class Real> Real Tones::at(const std::array<Real, 1>& x) {
+    using std::cos;
+    using std::sin;
+    return sin(Real(7 * x[0])) + cos(Real(11 * x[0])) / 2;
+}
 
 template <class Real> Real Franke::at(const std::array<Real, 2>& x) {
     using std::exp;
