@@ -4,42 +4,48 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <mutex>
-#include <optional>
+#include <stdexcept>
 
 namespace verification {
 
 namespace {
-ErrorNorms norms_of(std::span<const double> errors, std::size_t first, std::size_t stride) {
+ErrorNorms norms_of(std::span<const double> errors) {
     double squares = 0, largest = 0;
-    std::size_t n = 0;
-    for (std::size_t k = first; k < errors.size(); k += stride, ++n) {
-        squares += errors[k] * errors[k];
-        largest = std::max(largest, errors[k]);
+    for (const double e : errors) {
+        squares += e * e;
+        largest = std::max(largest, e);
     }
-    if (n == 0 || std::isnan(squares)) largest = squares = std::numeric_limits<double>::quiet_NaN();
-    return {std::sqrt(squares / static_cast<double>(n)), largest};
+    if (errors.empty() || std::isnan(squares))
+        largest = squares = std::numeric_limits<double>::quiet_NaN();
+    return {std::sqrt(squares / static_cast<double>(errors.size())), largest};
 }
 
-/// Not to be called by two threads at once. The sampled field of the last call is kept: families are measured one after the other.
+/// Not to be called by two threads at once. The sampled field of the last call is kept: methods are
+/// measured one after the other.
 template <int Dim> const SampledField<Dim>& field_of(const SampleSetup& setup) {
     static std::optional<std::pair<SampleSetup, SampledField<Dim>>> last;
     if (!last || last->first != setup) last.emplace(setup, SampledField<Dim>(setup));
     return last->second;
 }
 
-template <int Dim> ErrorTable measure(const SampleSetup& setup, const Family<Dim>& family) {
+template <int Dim> const Method<Dim>& method_of(const Approximation& a) {
+    for (const auto methods : {sph_methods<Dim>(), mls_methods<Dim>()})
+        for (const Method<Dim>& method : methods)
+            if (method.approximation == a) return method;
+    throw std::logic_error("no method measures " + std::string(a.method));
+}
+
+template <int Dim> ErrorNorms measure(const SampleSetup& setup, const Approximation& a) {
+    if (a.quantity != Quantity::value && setup.measured_at == MeasuredAt::between)
+        throw std::logic_error("derivatives are measured at samples, not between them");
     const SampledField<Dim>& field = field_of<Dim>(setup);
-    const std::size_t width = family.approximations.size(), n = field.set.measured.size();
-    std::vector<double> errors(n * width);
-    plumbline::parallel_for(n, [&](std::size_t k) {
-        family.errors(field, field.set.measured[k], std::span(errors).subspan(k * width, width));
-    });
-    ErrorTable table;
-    for (std::size_t a = 0; a < width; ++a)
-        table[family.approximations[a]] = norms_of(errors, a, width);
-    return table;
+    const Method<Dim>& method = method_of<Dim>(a);
+    std::vector<double> errors(field.set.places.size());
+    plumbline::parallel_for(errors.size(),
+                            [&](std::size_t k) { errors[k] = method.error(Spot<Dim>(field, k)); });
+    return norms_of(errors);
 }
 }  // namespace
 
@@ -67,17 +73,17 @@ std::string_view unit_of(Quantity quantity) {
 }
 std::string_view name_of(Norm norm) { return norm == Norm::l2 ? "L2" : "max"; }
 
-template <int Dim>
-const ErrorTable& errors_of(const SampleSetup& setup, const Family<Dim>& family) {
+template <int Dim> ErrorNorms errors_of(const SampleSetup& setup, const Approximation& a) {
     static std::mutex mutex;
-    static std::map<std::pair<SampleSetup, const void*>, ErrorTable> known;
+    static std::map<std::pair<SampleSetup, Approximation>, ErrorNorms> known;
     const std::lock_guard lock(mutex);
-    const auto [entry, is_new] = known.try_emplace({setup, family.approximations.data()});
-    if (is_new) entry->second = measure(setup, family);
-    return entry->second;
+    const auto entry = known.find({setup, a});
+    if (entry != known.end()) return entry->second;
+    return known[{setup, a}] = measure<Dim>(setup, a);
 }
 
-template const ErrorTable& errors_of(const SampleSetup&, const Family<2>&);
-template const ErrorTable& errors_of(const SampleSetup&, const Family<3>&);
+template ErrorNorms errors_of<1>(const SampleSetup&, const Approximation&);
+template ErrorNorms errors_of<2>(const SampleSetup&, const Approximation&);
+template ErrorNorms errors_of<3>(const SampleSetup&, const Approximation&);
 
 }  // namespace verification

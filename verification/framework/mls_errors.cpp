@@ -1,9 +1,5 @@
 #include "solver/approximation/mlsph_shape.h"
-#include "solver/foundation/sum.h"
 #include "verification/framework/approximation_errors.h"
-
-#include <array>
-#include <cmath>
 
 namespace verification {
 
@@ -11,81 +7,90 @@ namespace {
 using namespace plumbline;
 using enum Quantity;
 
-constexpr std::array approximations{Approximation{value, "MLS 0"},
-                                    Approximation{value, "MLS 1"},
-                                    Approximation{value, "MLS 2"},
-                                    Approximation{value, "MLS 3"},
-                                    Approximation{value, "MLSPH"},
-                                    Approximation{gradient, "MLS 1"},
-                                    Approximation{gradient, "MLS 2"},
-                                    Approximation{gradient, "MLS 3"},
-                                    Approximation{gradient, "MLSPH"},
-                                    Approximation{laplacian, "MLS 2"},
-                                    Approximation{laplacian, "MLS 3"},
-                                    Approximation{laplacian, "MLSPH"},
-                                    Approximation{gradient, "printed Eqs. 29, 30"}};
+/// Shape functions and as many of their derivatives as are wanted, applied to the samples of f.
+template <class Shape> struct Applied {
+    static constexpr int Dim = Shape::dim;
+    const Spot<Dim>& p;
+    std::vector<double> phi, laplace_phi;
+    std::vector<Vec<Dim>> grad_phi;
+    bool answered;
 
-constexpr double no_answer = std::numeric_limits<double>::quiet_NaN();
+    Applied(const Shape& shape, const Spot<Dim>& spot, Quantity wanted)
+        : p{spot},
+          phi(spot.at.neighbours.size()),
+          laplace_phi(wanted == laplacian ? phi.size() : 0),
+          grad_phi(wanted == value ? 0 : phi.size()),
+          answered{shape(p.s.x, p.at, ShapeRow<Dim>{phi, grad_phi, laplace_phi}).has_value()} {}
 
-/// ⟨f⟩, ∇⟨f⟩ and Δ⟨f⟩ at one point; NaN where the method gives no answer, or where its rank is
-/// too small for the derivative to be consistent.
-template <int Dim> struct Jet {
-    double value = no_answer;
-    Vec<Dim> gradient = Vec<Dim>::Constant(no_answer);
-    double laplacian = no_answer;
+    template <class T> std::optional<T> sum(const std::vector<T>& weights, T total) const {
+        if (!answered) return std::nullopt;
+        for (std::size_t k = 0; k < weights.size(); ++k)
+            total += weights[k] * p.f[p.at.neighbours[k]];
+        return total;
+    }
 };
 
 template <class Shape>
-Jet<Shape::dim> jet(const Shape& shape, const SampledField<Shape::dim>& field, Index i) {
-    constexpr int Dim = Shape::dim;
-    const Place<Dim> at = field.set.samples().at(i);
-    const std::size_t n = at.neighbours.size();
-    std::vector<double> phi(n), laplace_phi(n);
-    std::vector<Vec<Dim>> grad_phi(n);
-    Jet<Dim> jet;
-    const auto fit = shape(std::span<const Vec<Dim>>(field.set.x), at,
-                           ShapeRow<Dim>{phi, grad_phi, laplace_phi});
-    if (!fit) return jet;
-    jet = {0.0, Vec<Dim>::Zero(), 0.0};
-    for (std::size_t k = 0; k < n; ++k) {
-        const double f = field.f[at.neighbours[k]];
-        jet.value += phi[k] * f;
-        jet.gradient += grad_phi[k] * f;
-        jet.laplacian += laplace_phi[k] * f;
-    }
-    return jet;
+std::optional<double> value_by(const Shape& shape, const Spot<Shape::dim>& p) {
+    const Applied row(shape, p, value);
+    return row.sum(row.phi, 0.0);
+}
+template <class Shape>
+std::optional<Vec<Shape::dim>> gradient_by(const Shape& shape, const Spot<Shape::dim>& p) {
+    const Applied row(shape, p, gradient);
+    return row.sum(row.grad_phi, Vec<Shape::dim>(Vec<Shape::dim>::Zero()));
+}
+template <class Shape>
+std::optional<double> laplacian_by(const Shape& shape, const Spot<Shape::dim>& p) {
+    const Applied row(shape, p, laplacian);
+    return row.sum(row.laplace_phi, 0.0);
 }
 
-template <int Dim> void errors(const SampledField<Dim>& field, Index i, std::span<double> error) {
-    using K = StudyKernel<Dim>;
-    const K& w = field.set.kernel;
-    const Jet<Dim> mls_0 = jet(MlsShape<0, K>(w), field, i);
-    const Jet<Dim> mls_1 = jet(MlsShape<1, K>(w), field, i);
-    const Jet<Dim> mls_2 = jet(MlsShape<2, K>(w), field, i);
-    const Jet<Dim> mls_3 = jet(MlsShape<3, K>(w), field, i);
-    const Jet<Dim> mlsph = jet(MlsphShape<2, K>(w), field, i);
-    const Jet<Dim> diffuse = jet(MlsShape<2, K>(w, MlsDerivative::diffuse), field, i);
+/// Erratum 25: Eq. 30 applied to the centred basis of Eq. 29 as if p(0) did not depend on x. What is
+/// lost then is exactly the diffuse derivative, the part in which only p is differentiated.
+template <int Dim> std::optional<Vec<Dim>> printed_gradient(const Spot<Dim>& p) {
+    using Shape = MlsShape<2, AnyKernel<Dim>>;
+    const auto full = gradient_by(Shape(p.w), p);
+    const auto diffuse = gradient_by(Shape(p.w, MlsDerivative::diffuse), p);
+    if (!full || !diffuse) return std::nullopt;
+    return Vec<Dim>(*full - *diffuse);
+}
 
-    const Vec<Dim>& x = field.set.x[i];
-    const double f = TestFunction<Dim>::value(x), laplace_f = TestFunction<Dim>::laplacian(x);
-    const Vec<Dim> grad_f = TestFunction<Dim>::gradient(x);
-    auto next = error.begin();
-    for (const Jet<Dim>* j : {&mls_0, &mls_1, &mls_2, &mls_3, &mlsph})
-        *next++ = std::abs(j->value - f);
-    for (const Jet<Dim>* j : {&mls_1, &mls_2, &mls_3, &mlsph})
-        *next++ = (j->gradient - grad_f).norm();
-    for (const Jet<Dim>* j : {&mls_2, &mls_3, &mlsph}) *next++ = std::abs(j->laplacian - laplace_f);
-    // Erratum 25: Eq. 30 applied to the centred basis of Eq. 29 as if p(0) did not depend on x. What
-    // is lost then is exactly the diffuse derivative, the part in which only p is differentiated.
-    *next++ = (mls_2.gradient - diffuse.gradient - grad_f).norm();
+template <int Dim> std::vector<Method<Dim>> all_methods() {
+    using K = AnyKernel<Dim>;
+    using P = const Spot<Dim>&;
+    return {
+        {{value, "MLS 0"}, [](P p) { return p.value_error(value_by(MlsShape<0, K>(p.w), p)); }},
+        {{value, "MLS 1"}, [](P p) { return p.value_error(value_by(MlsShape<1, K>(p.w), p)); }},
+        {{value, "MLS 2"}, [](P p) { return p.value_error(value_by(MlsShape<2, K>(p.w), p)); }},
+        {{value, "MLS 3"}, [](P p) { return p.value_error(value_by(MlsShape<3, K>(p.w), p)); }},
+        {{value, "MLSPH"}, [](P p) { return p.value_error(value_by(MlsphShape<2, K>(p.w), p)); }},
+        {{gradient, "MLS 1"},
+         [](P p) { return p.gradient_error(gradient_by(MlsShape<1, K>(p.w), p)); }},
+        {{gradient, "MLS 2"},
+         [](P p) { return p.gradient_error(gradient_by(MlsShape<2, K>(p.w), p)); }},
+        {{gradient, "MLS 3"},
+         [](P p) { return p.gradient_error(gradient_by(MlsShape<3, K>(p.w), p)); }},
+        {{gradient, "MLSPH"},
+         [](P p) { return p.gradient_error(gradient_by(MlsphShape<2, K>(p.w), p)); }},
+        {{laplacian, "MLS 2"},
+         [](P p) { return p.laplacian_error(laplacian_by(MlsShape<2, K>(p.w), p)); }},
+        {{laplacian, "MLS 3"},
+         [](P p) { return p.laplacian_error(laplacian_by(MlsShape<3, K>(p.w), p)); }},
+        {{laplacian, "MLSPH"},
+         [](P p) { return p.laplacian_error(laplacian_by(MlsphShape<2, K>(p.w), p)); }},
+        {{gradient, "printed Eqs. 29, 30"},
+         [](P p) { return p.gradient_error(printed_gradient(p)); },
+         true}};
 }
 }  // namespace
 
-template <int Dim> const Family<Dim>& mls_family() {
-    static const Family<Dim> family{approximations, errors<Dim>};
-    return family;
+template <int Dim> std::span<const Method<Dim>> mls_methods() {
+    static const std::vector<Method<Dim>> all = all_methods<Dim>();
+    return all;
 }
-template const Family<2>& mls_family();
-template const Family<3>& mls_family();
+template std::span<const Method<1>> mls_methods();
+template std::span<const Method<2>> mls_methods();
+template std::span<const Method<3>> mls_methods();
 
 }  // namespace verification

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/approximation/samples.h"
-#include "solver/kernels/poly6.h"
+#include "verification/framework/any_kernel.h"
 
 #include <cstdint>
 #include <string_view>
@@ -10,12 +10,17 @@ namespace verification {
 
 enum class Sampling { lattice, jittered, halton };
 enum class Region { interior, boundary };
+/// Where errors are measured: some methods exist at samples only; a value is also wanted elsewhere, and
+/// on a lattice symmetry flatters what is measured at its points.
+enum class MeasuredAt { samples, between };
+/// The kernels of the studies: the one of adams2009 Appendix A, and two that are smoother.
+enum class StudyKernel { poly6, wendland_c4, quintic_spline };
 
 std::string_view name_of(Sampling sampling);
 std::string_view name_of(Region region);
+std::string_view name_of(StudyKernel kernel);
 
-/// The kernel of the studies: the one of adams2009 Appendix A.
-template <int Dim> using StudyKernel = plumbline::Poly6<Dim>;
+template <int Dim> AnyKernel<Dim> kernel_of(StudyKernel kernel, double support);
 
 /// How far each coordinate of a jittered lattice is moved at most, in spacings.
 inline constexpr double study_jitter = 0.25;
@@ -26,6 +31,8 @@ struct SampleSetup {
     double spacing;  // [m]; of Halton points (volume / number)^(1/Dim)
     double support;  // [m]
     std::uint64_t seed;
+    MeasuredAt measured_at = MeasuredAt::samples;
+    StudyKernel kernel = StudyKernel::poly6;
     auto operator<=>(const SampleSetup&) const = default;
 };
 
@@ -42,21 +49,22 @@ template <int Dim> struct SamplePoints {
     SamplePoints(const SampleSetup& setup, std::size_t most_measured);
 };
 
-/// The same with equal masses, densities by adams2009 Eq. 5, volumes by Eq. 4, for `StudyKernel`.
+/// The places where errors are measured, and all samples within one support of them, with equal masses,
+/// densities by adams2009 Eq. 5 and volumes by Eq. 4.
 template <int Dim> struct SampleSet {
-    static constexpr std::size_t most_measured = Dim == 2 ? 2000 : 800;
-
-    StudyKernel<Dim> kernel;
+    AnyKernel<Dim> kernel;
+    plumbline::Points<Dim> places;
     plumbline::Points<Dim> x;
-    std::vector<plumbline::Index> measured;
     std::vector<double> m, rho, V;
-    plumbline::NeighbourLists neighbours;
+    std::vector<plumbline::Index> measured;  // the places as samples; empty if they are none
+    plumbline::NeighbourLists rows;          // of the places
+    plumbline::NeighbourLists neighbours;    // of the measured samples; others have empty rows
 
     explicit SampleSet(const SampleSetup& setup);
     plumbline::Samples<Dim> samples() const { return {x, V, neighbours}; }
-
-private:
-    SampleSet(const SampleSetup& setup, SamplePoints<Dim> points);
+    plumbline::Place<Dim> place(std::size_t k) const {
+        return {places[k], rows.of(static_cast<plumbline::Index>(k))};
+    }
 };
 
 }  // namespace verification

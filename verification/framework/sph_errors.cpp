@@ -5,10 +5,8 @@
 #include "solver/approximation/sph_gradient.h"
 #include "solver/approximation/sph_interpolation.h"
 #include "solver/approximation/sph_laplacian.h"
+#include "solver/foundation/sum.h"
 #include "verification/framework/approximation_errors.h"
-
-#include <array>
-#include <cmath>
 
 namespace verification {
 
@@ -16,65 +14,68 @@ namespace {
 using namespace plumbline;
 using enum Quantity;
 
-constexpr std::array approximations{
-    Approximation{value, "SPH Eq. 3"},         Approximation{value, "Shepard"},
-    Approximation{gradient, "SPH Eq. 9"},      Approximation{gradient, "SPH Eq. 13"},
-    Approximation{gradient, "SPH Eq. 17"},     Approximation{gradient, "SPH Eq. 19"},
-    Approximation{gradient, "Shepard"},        Approximation{gradient, "Mueller"},
-    Approximation{laplacian, "SPH Eq. 11"},    Approximation{laplacian, "SPH Eq. 15"},
-    Approximation{laplacian, "Brookshaw"},     Approximation{laplacian, "Shepard"},
-    Approximation{laplacian, "printed Eq. 15"}};
-
-constexpr double no_answer = std::numeric_limits<double>::quiet_NaN();
-
-double distance(const std::optional<double>& found, double exact) {
-    return found ? std::abs(*found - exact) : no_answer;
-}
-template <int Dim> double distance(const std::optional<Vec<Dim>>& found, const Vec<Dim>& exact) {
-    return found ? (*found - exact).norm() : no_answer;
-}
-
 /// Eq. 15 with Δω = ω″ as adams2009 prints it: erratum 17.
-template <int Dim>
-double printed_laplacian(const StudyKernel<Dim>& w, const Samples<Dim>& s,
-                         std::span<const double> f, Index i) {
-    return sum<double>(s.neighbours.of(i), [&](Index j) {
-        return (f[j] - f[i]) * w.second_derivative((s.x[i] - s.x[j]).norm()) * s.V[j];
+template <int Dim> double printed_laplacian(const Spot<Dim>& p) {
+    return sum<double>(p.at.neighbours, [&](Index j) {
+        return (p.f[j] - p.f[p.i]) * p.w.second_derivative((p.at.x - p.s.x[j]).norm()) * p.s.V[j];
     });
 }
 
-template <int Dim> void errors(const SampledField<Dim>& field, Index i, std::span<double> error) {
-    const SampleSet<Dim>& set = field.set;
-    const auto& w = set.kernel;
-    const Samples<Dim> s = set.samples();
-    const std::span<const double> f = field.f, m = set.m, rho = set.rho;
-    const Place<Dim> at = s.at(i);
-    const auto f_exact = TestFunction<Dim>::value(set.x[i]);
-    const auto grad_f = TestFunction<Dim>::gradient(set.x[i]);
-    const auto laplace_f = TestFunction<Dim>::laplacian(set.x[i]);
+/// Eq. 37 with tr A / Dim for the matrix A: right where samples lie the same way in all directions.
+template <int Dim> Vec<Dim> uncorrected_mueller(const Spot<Dim>& p) {
+    double trace = 0.0;
+    Vec<Dim> b = Vec<Dim>::Zero();
+    for (const Index j : p.at.neighbours) {
+        const Vec<Dim> x_ij = p.s.x[j] - p.at.x;
+        const double w = p.w.value(x_ij.norm());
+        trace += w * x_ij.squaredNorm();
+        b += w * (p.f[j] - p.f[p.i]) * x_ij;
+    }
+    return b * (Dim / trace);
+}
 
-    auto next = error.begin();
-    *next++ = distance(interpolate(w, s, f, at), f_exact);
-    *next++ = distance(shepard(w, s, f, at), f_exact);
-    *next++ = distance<Dim>(gradient_summation(w, s, f, at), grad_f);
-    *next++ = distance<Dim>(gradient_difference(w, s, f, i), grad_f);
-    *next++ = distance<Dim>(gradient_mass_weighted(w, s, m, rho, f, i), grad_f);
-    *next++ = distance<Dim>(gradient_symmetric(w, s, m, rho, f, i), grad_f);
-    *next++ = distance<Dim>(shepard_gradient(w, s, f, at), grad_f);
-    *next++ = distance<Dim>(mueller_gradient(w, s, f, i), grad_f);
-    *next++ = distance(laplacian_summation(w, s, f, at), laplace_f);
-    *next++ = distance(laplacian_difference(w, s, f, i), laplace_f);
-    *next++ = distance(laplacian_brookshaw(w, s, f, i), laplace_f);
-    *next++ = distance(shepard_laplacian(w, s, f, at), laplace_f);
-    *next++ = distance(printed_laplacian(w, s, f, i), laplace_f);
+template <int Dim> std::vector<Method<Dim>> all_methods() {
+    using P = const Spot<Dim>&;
+    return {
+        {{value, "SPH Eq. 3"}, [](P p) { return p.value_error(interpolate(p.w, p.s, p.f, p.at)); }},
+        {{value, "Shepard"}, [](P p) { return p.value_error(shepard(p.w, p.s, p.f, p.at)); }},
+        {{gradient, "SPH Eq. 9"},
+         [](P p) { return p.gradient_error(gradient_summation(p.w, p.s, p.f, p.at)); }},
+        {{gradient, "SPH Eq. 13"},
+         [](P p) { return p.gradient_error(gradient_difference(p.w, p.s, p.f, p.i)); }},
+        {{gradient, "SPH Eq. 17"},
+         [](P p) {
+             return p.gradient_error(gradient_mass_weighted(p.w, p.s, p.m, p.rho, p.f, p.i));
+         }},
+        {{gradient, "SPH Eq. 19"},
+         [](P p) { return p.gradient_error(gradient_symmetric(p.w, p.s, p.m, p.rho, p.f, p.i)); }},
+        {{gradient, "Shepard"},
+         [](P p) { return p.gradient_error(shepard_gradient(p.w, p.s, p.f, p.at)); }},
+        {{gradient, "Mueller"},
+         [](P p) { return p.gradient_error(mueller_gradient(p.w, p.s, p.f, p.i)); }},
+        {{gradient, "Mueller, A a number"},
+         [](P p) { return p.gradient_error(uncorrected_mueller(p)); },
+         true},
+        {{laplacian, "SPH Eq. 11"},
+         [](P p) { return p.laplacian_error(laplacian_summation(p.w, p.s, p.f, p.at)); }},
+        {{laplacian, "SPH Eq. 15"},
+         [](P p) { return p.laplacian_error(laplacian_difference(p.w, p.s, p.f, p.i)); }},
+        {{laplacian, "Brookshaw"},
+         [](P p) { return p.laplacian_error(laplacian_brookshaw(p.w, p.s, p.f, p.i)); }},
+        {{laplacian, "Shepard"},
+         [](P p) { return p.laplacian_error(shepard_laplacian(p.w, p.s, p.f, p.at)); }},
+        {{laplacian, "printed Eq. 15"},
+         [](P p) { return p.laplacian_error(printed_laplacian(p)); },
+         true}};
 }
 }  // namespace
 
-template <int Dim> const Family<Dim>& sph_family() {
-    static const Family<Dim> family{approximations, errors<Dim>};
-    return family;
+template <int Dim> std::span<const Method<Dim>> sph_methods() {
+    static const std::vector<Method<Dim>> all = all_methods<Dim>();
+    return all;
 }
-template const Family<2>& sph_family();
-template const Family<3>& sph_family();
+template std::span<const Method<1>> sph_methods();
+template std::span<const Method<2>> sph_methods();
+template std::span<const Method<3>> sph_methods();
 
 }  // namespace verification
