@@ -46,8 +46,9 @@ const BadInput bad_inputs[] = {
     {"a.csv", "\xFF\xFEx\0,\0y\0"s, "a.csv:1:1: expected text, found text in UTF-16"},
     // CSV
     {"a.csv", "0.1,0.2\n0.3,0.4\n",
-     "a.csv:1:1: expected a header x,y[,z][,further columns] with a column \"x\", found "
-     "\"0.1,0.2\""},
+     "a.csv:1:1: expected a header that names the columns before the first point: x,y or x,y,z, "
+     "and a "
+     "name for each further one, as in x,y,f, found the numbers \"0.1,0.2\""},
     {"a.csv", "x;y\n1;2\n",
      "a.csv:1:1: expected a header x,y[,z][,further columns] with a column \"x\", found \"x;y\""},
     {"a.csv", "x,f\n1,2\n",
