@@ -31,7 +31,8 @@ int wait_for(pid_t child) {
 }
 }  // namespace
 
-std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments) {
+std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments,
+                                         Streams streams) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
         throw std::runtime_error(std::string("no pipe to a child process: ") + strerror(errno));
@@ -39,7 +40,10 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    if (streams == Streams::both)
+        posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    else
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     std::vector<char*> argv;
     for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
     argv.push_back(nullptr);

@@ -19,10 +19,15 @@ constexpr Tool tools[] = {
     {"chromium", "the test of the page, nothing else", "chromium", false},
     {"xmllint", "the test of the JUnit file, nothing else", "libxml2-utils", false}};
 
-/// First line of `name --version`; empty if there is no such program.
+/// First line of `name --version`, which some programs (xmllint) write to stderr, where others (chromium)
+/// complain; empty if there is no such program.
 std::string version_of(const char* name) {
-    const auto result = run_process({name, "--version"});
-    return result ? result->output.substr(0, result->output.find('\n')) : "";
+    for (const Streams streams : {Streams::stdout_only, Streams::both}) {
+        const auto result = run_process({name, "--version"}, streams);
+        if (result && !result->output.empty())
+            return result->output.substr(0, result->output.find('\n'));
+    }
+    return "";
 }
 
 Json examine() {
