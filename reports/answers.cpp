@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <utility>
+#include <vector>
 
 namespace reports {
 
@@ -101,41 +102,73 @@ Json is_it_right(const Json& report) {
     return points;
 }
 
-/// "a, b and 3 more".
-std::string some(const std::set<std::string>& names) {
-    std::string text;
-    std::size_t n = 0;
-    for (const std::string& name : names) {
-        if (n == 4) return text + fmt::format(" and {} more", names.size() - n);
-        text += (n++ == 0 ? "" : ", ") + name;
+/// Series and how bad each is, whatever the unit; larger is worse.
+struct Ranking {
+    std::vector<std::pair<double, std::string>> entries;
+
+    void add(double badness, std::string name) { entries.emplace_back(badness, std::move(name)); }
+    bool empty() const { return entries.empty(); }
+    std::size_t size() const { return entries.size(); }
+
+    /// "a, b and 3 more", the worst first.
+    std::string worst_first() const {
+        auto sorted = entries;
+        std::ranges::sort(sorted, [](const auto& a, const auto& b) {
+            return std::pair(-a.first, a.second) < std::pair(-b.first, b.second);
+        });
+        std::string text;
+        for (std::size_t n = 0; n < sorted.size(); ++n) {
+            if (n == 4) return text + fmt::format(" and {} more", sorted.size() - n);
+            text += (n == 0 ? "" : ", ") + sorted[n].second;
+        }
+        return text;
     }
-    return text;
+};
+
+/// The part of the error on the coarsest level that is left on the finest.
+double share_left(const Json& series) {
+    const Json errors = series.value("level_errors", Json::array());
+    if (errors.empty() || !errors.front().is_number() || !errors.back().is_number()) return 0.0;
+    const double first = errors.front(), last = errors.back();
+    return first > 0.0 ? last / first : 0.0;
+}
+
+/// How far the order is from what theory expects.
+double distance_to_theory(const Json& series) {
+    const Json &order = series["order"], &low = series["expected"]["low"],
+               &high = series["expected"]["high"];
+    double distance = 0.0;
+    if (!order.is_number()) return distance;
+    if (low.is_number()) distance = std::max(distance, low.get<double>() - order.get<double>());
+    if (high.is_number()) distance = std::max(distance, order.get<double>() - high.get<double>());
+    return distance;
 }
 
 Json where_it_breaks(const Json& report) {
     Json points = Json::array();
-    const Json series = series_of(list(report, "studies"));
-    std::set<std::string> stalled, wrong, silent;
-    for (const Json& s : series) {
+    std::size_t all = 0;
+    Ranking stalled, wrong, silent;
+    for (const Json& s : series_of(list(report, "studies"))) {
         if (s.value("sabotaged", false)) continue;
+        ++all;
         const std::string name = s["study"].get<std::string>() + "/" + s["name"].get<std::string>();
         const bool saturates =
             s["verdict"] == "saturated" || (s["verdict"] == "verified" && s["expected_saturation"]);
-        if (saturates) stalled.insert(name);
-        if (s["verdict"] == "failed") wrong.insert(name);
-        if (s.value("failures", 0) > 0) silent.insert(name);
+        if (saturates) stalled.add(share_left(s), name);
+        if (s["verdict"] == "failed") wrong.add(distance_to_theory(s), name);
+        if (s.value("failures", 0) > 0) silent.add(s.value("failures", 0), name);
     }
     if (!stalled.empty())
         points.push_back(
             fmt::format("Finer spacing does not help {} of {} series, the error rests "
-                        "on a floor: {}.",
-                        stalled.size(), series.size(), some(stalled)));
+                        "on a floor; the worst are {}.",
+                        stalled.size(), all, stalled.worst_first()));
     if (!wrong.empty())
         points.push_back(fmt::format("{} series converge otherwise than theory says: {}.",
-                                     wrong.size(), some(wrong)));
+                                     wrong.size(), wrong.worst_first()));
     if (!silent.empty())
         points.push_back(fmt::format("{} series have samples where the method gives no answer: {}.",
-                                     silent.size(), some(silent)));
+                                     silent.size(), silent.worst_first()));
     return points;
 }
 

@@ -1,10 +1,13 @@
 #include "reports/frontier_report.h"
 
+#include "benchmarks/framework/figures.h"
 #include "solver/foundation/errors.h"
+#include "solver/io/csv.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace reports {
 
@@ -14,6 +17,8 @@ using benchmarks::PrecomputedRatio;
 using verification::Quantity;
 
 namespace {
+constexpr int black = 9;  // of style_of
+
 constexpr std::array quantities{Quantity::value, Quantity::gradient, Quantity::laplacian};
 
 std::vector<std::string> methods_of(const Frontier& frontier) {
@@ -32,11 +37,11 @@ Chart::Axis error_axis(const Frontier& frontier) {
             std::string(unit_of(frontier.quantity)), true};
 }
 
-/// The points of one method; where it failed, only the time is known.
+/// The points of one method, whose number is its style; where it failed, only the time is known.
 template <class Time>
-Chart::Series series_of(const std::string& name, const Frontier& frontier,
-                        const std::string& method, Time time) {
-    Chart::Series series{.name = name, .x = {}, .y = {}, .joined = false};
+Chart::Series series_of(const std::string& name, const Frontier& frontier, int number, Time time) {
+    Chart::Series series{.name = name, .x = {}, .y = {}, .joined = false, .style = number};
+    const std::string method = methods_of(frontier).at(static_cast<std::size_t>(number));
     for (const Candidate& c : frontier.candidates) {
         const std::optional<double> seconds = c.method == method ? time(c) : std::nullopt;
         if (!seconds) continue;
@@ -52,12 +57,21 @@ Chart::Series series_of(const std::string& name, const Frontier& frontier,
 
 std::string counts_of(const Frontier& frontier) {
     const auto count = [&](auto what) { return std::ranges::count_if(frontier.candidates, what); };
+    const auto widest = [&](bool mls) {
+        double most = 0.0;
+        for (const Candidate& c : frontier.candidates)
+            if (c.method.starts_with("MLS") == mls) most = std::max(most, c.support_in_spacings);
+        return most;
+    };
     return fmt::format(
         "{}, jittered samples, one thread. {} combinations of method, kernel, "
-        "h/spacing and number of samples; {} failed (singular or no answer; on the upper rim), {} "
+        "h/spacing (up to {:g}, of MLS to {:g}) and number of samples (up to {} per metre); {} "
+        "failed (singular or no answer; crossed out on the upper rim), {} "
         "are on a floor, {} get worse with more samples. A/A noise {:.1f} %.",
         frontier.dim == 2 ? "Franke's function" : "Plane waves in space",
-        frontier.candidates.size(), count([](const Candidate& c) { return c.failed(); }),
+        frontier.candidates.size(), widest(false), widest(true),
+        std::ranges::max(frontier.candidates, {}, &Candidate::samples_per_metre).samples_per_metre,
+        count([](const Candidate& c) { return c.failed(); }),
         count([](const Candidate& c) { return c.trend == benchmarks::Trend::saturated; }),
         count([](const Candidate& c) { return c.trend == benchmarks::Trend::grows; }),
         100.0 * frontier.noise);
@@ -75,11 +89,12 @@ Chart field_chart(const Frontier& frontier) {
         .alt = fmt::format("Error against time of every method for the {} in {}D; {}.",
                            name_of(frontier.quantity), frontier.dim, frontier.finding),
         .command = command_of(frontier)};
+    int number = 0;
     for (const std::string& method : methods_of(frontier))
-        chart.series.push_back(series_of(method, frontier, method, [](const Candidate& c) {
+        chart.series.push_back(series_of(method, frontier, number++, [](const Candidate& c) {
             return std::optional(c.per_field_s());
         }));
-    Chart::Series front{.name = "Pareto front", .x = {}, .y = {}};
+    Chart::Series front{.name = "Pareto front", .x = {}, .y = {}, .style = black, .markers = false};
     for (const std::size_t k : pareto_front(frontier.candidates, &Candidate::per_field_s)) {
         front.x.push_back(frontier.candidates[k].per_field_s());
         front.y.push_back(frontier.candidates[k].error);
@@ -89,13 +104,15 @@ Chart field_chart(const Frontier& frontier) {
 }
 
 std::string precomputed_finding(const Frontier& frontier) {
-    std::string finding;
     for (const PrecomputedRatio& r : frontier.precomputed)
         if (r.method.starts_with("MLS 2"))
-            finding =
-                fmt::format("computed once, {} costs {:.2g} SPH sums: \"as efficient as SPH\" {}",
-                            r.method, r.over_sph_sum, r.verdict);
-    return finding.empty() ? "no method with shape functions computed once" : finding;
+            return fmt::format(
+                "computed once, {} takes {:.2f} times as long as SPH computed once: \"as efficient "
+                "as "
+                "SPH\" {}; {:.2f} of an SPH sum evaluated anew; paid back after {} evaluations",
+                r.method, r.over_precomputed_sph.median, r.verdict, r.over_sph_sum.median,
+                evaluations(r.pays_over_itself));
+    return "no method with shape functions computed once";
 }
 
 Chart place_chart(const Frontier& frontier) {
@@ -109,19 +126,27 @@ Chart place_chart(const Frontier& frontier) {
                                    "functions computed once; {}.",
                                    finding),
                 .command = command_of(frontier)};
+    int number = 0;
     for (const std::string& method : methods_of(frontier))
-        chart.series.push_back(series_of(method, frontier, method, [](const Candidate& c) {
+        chart.series.push_back(series_of(method, frontier, number++, [](const Candidate& c) {
             return std::optional(c.evaluation.median_s);
         }));
+    number = 0;
     for (const std::string& method : methods_of(frontier)) {
-        Chart::Series applied = series_of(method + ", precomputed", frontier, method,
+        Chart::Series applied = series_of(method + ", precomputed", frontier, number++,
                                           [](const Candidate& c) -> std::optional<double> {
                                               if (!c.application) return std::nullopt;
                                               return c.application->median_s;
                                           });
+        applied.open = true;
         if (!applied.x.empty()) chart.series.push_back(std::move(applied));
     }
     return chart;
+}
+
+Json json_of(const benchmarks::RatioRange& r) {
+    return {
+        {"median", number(r.median)}, {"lowest", number(r.lowest)}, {"highest", number(r.highest)}};
 }
 
 Json json_of_timing(const std::optional<benchmarks::Timing>& timing) {
@@ -143,15 +168,25 @@ Quantity quantity_of(const std::string& task) {
         task + "\"");
 }
 
+std::string status_of(const Candidate& c) {
+    if (c.failures > 0)
+        return fmt::format("no answer or a singular matrix at {} of {} places", c.failures,
+                           c.places);
+    return c.failed() ? "not a number" : "ok";
+}
+
 Json json_of(const Candidate& c) {
     return {{"method", c.method},
             {"kernel", c.kernel},
             {"support_in_spacings", number(c.support_in_spacings)},
             {"samples_per_metre", c.samples_per_metre},
+            {"samples", std::lround(std::pow(c.samples_per_metre, c.dim))},
             {"mean_neighbours", number(c.mean_neighbours)},
             {"error", number(c.error)},
+            {"largest_error", number(c.largest_error)},
             {"failures", c.failures},
             {"places", c.places},
+            {"status", status_of(c)},
             {"trend", name_of(c.trend)},
             {"on_front", c.on_front},
             {"search_s", number(c.search_s)},
@@ -165,11 +200,11 @@ Json json_of(const Candidate& c) {
 
 Json json_of(const PrecomputedRatio& r) {
     return {{"method", r.method},
-            {"over_sph_sum", number(r.over_sph_sum)},
-            {"lowest", number(r.lowest)},
-            {"highest", number(r.highest)},
-            {"over_precomputed_sph", number(r.over_precomputed_sph)},
+            {"over_precomputed_sph", json_of(r.over_precomputed_sph)},
+            {"over_sph_sum", json_of(r.over_sph_sum)},
             {"precomputation_in_sums", number(r.precomputation_in_sums)},
+            {"pays_over_itself", number(r.pays_over_itself)},
+            {"pays_over_sph", number(r.pays_over_sph)},
             {"verdict", r.verdict}};
 }
 
@@ -198,21 +233,34 @@ std::vector<NamedChart> charts_of(const Frontier& frontier) {
             {name + "_per_place", place_chart(frontier)}};
 }
 
-std::string csv_of(const Frontier& frontier) {
-    const auto median = [](const std::optional<benchmarks::Timing>& t) {
-        return t ? fmt::format("{}", t->median_s) : std::string();
+std::string evaluations(double count) {
+    if (!(count < HUGE_VAL)) return "never";
+    return count < 10.0 ? fmt::format("{:.0f}", std::ceil(count))
+                        : benchmarks::factor_in_words(std::ceil(count));
+}
+
+std::string candidates_csv(const Json& frontier) {
+    const auto field = [](const Json& value) -> std::string {
+        if (value.is_null()) return "";
+        if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+        if (value.is_string()) return value.get<std::string>();
+        return fmt::format("{}", value.get<double>());
     };
-    std::string text =
-        "method,kernel,support_in_spacings,samples_per_metre,mean_neighbours,error,failures,places,"
-        "trend,on_front,search_s,volumes_s,evaluation_s,precomputation_s,application_s,per_place_s,"
-        "per_field_s\n";
-    for (const Candidate& c : frontier.candidates)
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", c.method,
-                            c.kernel, c.support_in_spacings, c.samples_per_metre, c.mean_neighbours,
-                            c.error, c.failures, c.places, name_of(c.trend), c.on_front, c.search_s,
-                            c.volumes_s, c.evaluation.median_s, median(c.precomputation),
-                            median(c.application), c.per_place_s(), c.per_field_s());
-    return text;
+    std::ostringstream text;
+    std::optional<plumbline::CsvWriter> csv;
+    for (const Json& c : frontier.at("candidates")) {
+        std::vector<std::string> names, values;
+        for (const auto& [key, value] : c.items()) {
+            const bool timed =
+                key == "evaluation" || key == "precomputation" || key == "application";
+            names.push_back(timed ? key + "_s" : key);
+            values.push_back(field(timed && !value.is_null() ? value.at("median_s") : value));
+        }
+        if (!csv) csv.emplace(text, names);
+        for (const std::string& value : values) csv->add(value);
+        csv->end_row();
+    }
+    return text.str();
 }
 
 }  // namespace reports

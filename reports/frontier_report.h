@@ -11,6 +11,11 @@ std::string task_of(verification::Quantity quantity);
 /// Throws InvalidInput, naming the tasks there are, if `task` is none.
 verification::Quantity quantity_of(const std::string& task);
 
+/// "ok", or what is missing.
+std::string status_of(const benchmarks::Candidate& candidate);
+/// A number of evaluations in two figures, or "never".
+std::string evaluations(double count);
+
 Json json_of(const benchmarks::Candidate& candidate);
 Json json_of(const benchmarks::PrecomputedRatio& ratio);
 Json json_of(const benchmarks::Frontier& frontier);
@@ -27,7 +32,8 @@ struct NamedChart {
 /// against the time per place, evaluated anew and with shape functions computed once.
 std::vector<NamedChart> charts_of(const benchmarks::Frontier& frontier);
 
-/// All candidates, one per row, with a header: times in seconds, empty where there is none.
-std::string csv_of(const benchmarks::Frontier& frontier);
+/// All candidates of a frontier as json_of gives it, one per row, with its keys as the header: medians of
+/// times in seconds, empty where there is none.
+std::string candidates_csv(const Json& frontier);
 
 }  // namespace reports

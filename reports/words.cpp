@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace reports {
 
@@ -12,20 +11,6 @@ std::string short_number(const Json& value) {
     if (value == "inf") return "∞";
     if (value == "-inf") return "−∞";
     return value.is_number() ? fmt::format("{:.3g}", value.get<double>()) : "none";
-}
-
-std::string factor_in_words(double factor) {
-    if (!std::isfinite(factor) || factor <= 0.0) return "none";
-    int exponent = static_cast<int>(std::floor(std::log10(factor)));
-    double digits = std::round(factor * std::pow(10.0, 1 - exponent)) / 10.0;
-    if (digits >= 10.0) digits /= 10.0, ++exponent;
-    if (exponent >= 0 && exponent < 5)
-        return fmt::format("{:.{}f}", digits * std::pow(10.0, exponent), exponent == 0 ? 1 : 0);
-    static constexpr const char* superscripts[] = {"⁰", "¹", "²", "³", "⁴",
-                                                   "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string power = exponent < 0 ? "⁻" : "";
-    for (const char digit : std::to_string(std::abs(exponent))) power += superscripts[digit - '0'];
-    return fmt::format("{:.1f}·10{}", digits, power);
 }
 
 std::string order_in_words(double order) {

@@ -9,9 +9,6 @@ namespace reports {
 /// A number for people: "1.23e-05", "12", "0.5", "∞"; "none" for null.
 std::string short_number(const Json& value);
 
-/// How many times, for a sentence: "1.8", "180", "1.8·10⁵"; two digits.
-std::string factor_in_words(double factor);
-
 /// An order for a sentence, one digit after the point; what rounds to zero has no sign.
 std::string order_in_words(double order);
 

@@ -20,23 +20,37 @@ using verification::Quantity;
 struct Plan {
     std::vector<std::string_view> kernels;
     std::vector<double> supports;  // in spacings; 1.5 is too small for most methods
+    /// Likewise, for SPH and its kin alone: the wider the support, the more of the noise of a disordered sum
+    /// averages out. MLS has no such noise: there it would cost more for a larger error.
+    std::vector<double> wide_supports;
     std::vector<int> samples_per_metre;
     std::size_t places;
     int rounds;
+    double seconds;  // after which a situation has no further round
+
+    bool is_wide(double support) const { return support > supports.back(); }
 };
 
 Plan plan_of(int dim, Effort effort) {
     const std::vector<std::string_view> three{"poly6", "cubic_spline", "wendland_c4"};
     if (effort == Effort::quick)
-        return dim == 2 ? Plan{three, {1.5, 2.0, 2.5, 3.5}, {20, 40, 80, 160}, 400, 9}
-                        : Plan{three, {1.5, 2.0, 2.5, 3.0}, {8, 12, 18, 27}, 200, 7};
+        return dim == 2 ? Plan{three, {1.5, 2.0, 2.5, 3.5}, {10.0}, {20, 40, 80, 160}, 400, 9, 0.2}
+                        : Plan{three, {1.5, 2.0, 2.5, 3.0}, {6.0}, {8, 12, 18, 27}, 200, 7, 0.2};
     if (dim == 2)
         return {AllKernels::names<2>(),
                 {1.5, 2.0, 2.5, 3.0, 3.5, 4.5},
+                {6.0, 8.0, 10.0},
                 {20, 40, 80, 160, 320},
                 2000,
-                25};
-    return {AllKernels::names<3>(), {1.5, 2.0, 2.5, 3.0, 3.5}, {8, 12, 18, 27, 40}, 1000, 15};
+                25,
+                2.0};
+    return {AllKernels::names<3>(),
+            {1.5, 2.0, 2.5, 3.0, 3.5},
+            {5.0, 7.0, 10.0},
+            {8, 12, 18, 27, 40},
+            1000,
+            15,
+            2.0};
 }
 
 /// One thread, so that methods are compared and not schedules; what was set is put back.
@@ -51,42 +65,33 @@ private:
     int before_ = thread_count();
 };
 
-template <int Dim>
-double error_of(const Situation<Dim>& s, Quantity quantity, std::span<const double> answers) {
-    using Exact = verification::TestFunction<Dim>;
-    double squares = 0;
-    for (std::size_t k = 0; k < s.places.size(); ++k) {
-        const Vec<Dim>& x = s.places[k];
-        switch (quantity) {
-            case Quantity::value:
-                squares += std::pow(answers[k] - Exact::value(x), 2);
-                break;
-            case Quantity::gradient:
-                squares += (Eigen::Map<const Vec<Dim>>(&answers[Dim * k]) - Exact::gradient(x))
-                               .squaredNorm();
-                break;
-            case Quantity::laplacian:
-                squares += std::pow(answers[k] - Exact::laplacian(x), 2);
-                break;
-        }
-    }
-    return std::sqrt(squares / static_cast<double>(s.places.size()));
-}
-
-double median_seconds(int rounds, const std::function<void()>& work) {
-    std::vector<double> seconds;
-    for (int round = 0; round < rounds; ++round) seconds.push_back(seconds_of(work));
-    return summarise(seconds).median_s;
-}
-
-struct SampleCosts {
-    double search_s, volumes_s;  // per sample
+struct Errors {
+    double rms, largest;
 };
-template <int Dim> SampleCosts sample_costs(const Situation<Dim>& s, int rounds) {
-    const auto n = static_cast<double>(s.x.size());
-    const double search = median_seconds(rounds, [&] { s.find_neighbours(); });
-    const double volumes = median_seconds(rounds, [&] { s.sum_volumes(); });
-    return {search / n, volumes / n};
+template <int Dim>
+double squared_error(Quantity quantity, const Vec<Dim>& x, const double* answer) {
+    using Exact = verification::TestFunction<Dim>;
+    switch (quantity) {
+        case Quantity::value:
+            return std::pow(*answer - Exact::value(x), 2);
+        case Quantity::gradient:
+            return (Eigen::Map<const Vec<Dim>>(answer) - Exact::gradient(x)).squaredNorm();
+        case Quantity::laplacian:
+            break;
+    }
+    return std::pow(*answer - Exact::laplacian(x), 2);
+}
+template <int Dim>
+Errors errors_of(const Situation<Dim>& s, Quantity quantity, std::span<const double> answers) {
+    double sum = 0, largest = 0;
+    for (std::size_t k = 0; k < s.places.size(); ++k) {
+        const double square =
+            squared_error(quantity, s.places[k], &answers[k * components_of<Dim>(quantity)]);
+        sum += square;
+        largest = std::max(largest, square);
+    }
+    const double rms = std::sqrt(sum / static_cast<double>(s.places.size()));
+    return {rms, std::isnan(rms) ? rms : std::sqrt(largest)};
 }
 
 /// What one method takes, run by run.
@@ -123,8 +128,10 @@ struct Measured {
 template <int Dim>
 Measured measure_situation(const Situation<Dim>& s, Quantity quantity, const Plan& plan) {
     std::vector<PreparedMethod> methods = sph_methods(s, quantity);
-    for (PreparedMethod& method : mls_methods(s, quantity)) methods.push_back(std::move(method));
-    const SampleCosts costs = sample_costs(s, 3);
+    if (!plan.is_wide(s.support_in_spacings))
+        for (PreparedMethod& method : mls_methods(s, quantity))
+            methods.push_back(std::move(method));
+    const SampleCosts costs = s.sample_costs(3);
     std::vector<double> out(s.places.size() * components_of<Dim>(quantity));
 
     Measured result;
@@ -133,13 +140,15 @@ Measured measure_situation(const Situation<Dim>& s, Quantity quantity, const Pla
         c.method = method.name;
         c.kernel = s.kernel;
         c.dim = Dim;
-        c.support_in_spacings = s.support / s.spacing;
+        c.support_in_spacings = s.support_in_spacings;
         c.samples_per_metre = static_cast<int>(std::lround(1.0 / s.spacing));
         c.places = s.places.size();
         c.mean_neighbours =
             static_cast<double>(s.rows.indices.size()) / static_cast<double>(c.places);
         c.failures = method.evaluate(out);
-        c.error = error_of(s, quantity, out);
+        const Errors errors = errors_of(s, quantity, out);
+        c.error = errors.rms;
+        c.largest_error = errors.largest;
         c.search_s = costs.search_s;
         c.volumes_s = method.reads_volumes ? costs.volumes_s : 0.0;
         result.candidates.push_back(std::move(c));
@@ -148,8 +157,12 @@ Measured measure_situation(const Situation<Dim>& s, Quantity quantity, const Pla
     std::vector<std::size_t> order{methods.size()};  // the second run of the first method
     for (std::size_t k = 0; k < methods.size(); ++k) order.push_back(k);
     std::vector<Runs> runs(methods.size() + 1);
+    double seconds = 0.0;
     for (int round = 0; round < plan.rounds; ++round) {
-        for (const std::size_t k : order) time_once(methods[k % methods.size()], out, runs[k]);
+        if (round >= static_cast<int>(least_rounds) && seconds > plan.seconds) break;
+        seconds += seconds_of([&] {
+            for (const std::size_t k : order) time_once(methods[k % methods.size()], out, runs[k]);
+        });
         std::ranges::reverse(order);
     }
     for (std::size_t k = 0; k < methods.size(); ++k) {
@@ -202,16 +215,19 @@ double most_of(std::vector<double> values) {
     std::ranges::sort(values);
     return values[static_cast<std::size_t>(0.95 * static_cast<double>(values.size() - 1))];
 }
+
 /// All situations, one after the other, and what their A/A comparisons differ by.
 template <int Dim>
 Measured measure_situations(Quantity quantity, const Plan& plan,
                             const std::function<void(double)>& between_steps) {
-    const double steps = static_cast<double>(plan.kernels.size() * plan.supports.size() *
-                                             plan.samples_per_metre.size());
+    std::vector<double> supports = plan.supports;
+    std::ranges::copy(plan.wide_supports, std::back_inserter(supports));
+    const double steps =
+        static_cast<double>(plan.kernels.size() * supports.size() * plan.samples_per_metre.size());
     Measured all;
     double step = 0;
     for (const std::string_view kernel : plan.kernels)
-        for (const double support : plan.supports)
+        for (const double support : supports)
             for (const int n : plan.samples_per_metre) {
                 if (between_steps) between_steps(step++ / steps);
                 const Situation<Dim> s(quantity, std::string(kernel), support, n, plan.places);
@@ -221,7 +237,20 @@ Measured measure_situations(Quantity quantity, const Plan& plan,
             }
     return all;
 }
+
+template <int Dim> std::vector<std::string> names_of_methods(Quantity quantity) {
+    const Situation<Dim> smallest(quantity, "poly6", 2.0, 4, 1);
+    std::vector<std::string> names;
+    for (auto* methods_of : {&sph_methods<Dim>, &mls_methods<Dim>})
+        for (const PreparedMethod& method : methods_of(smallest, quantity))
+            names.push_back(method.name);
+    return names;
+}
 }  // namespace
+
+std::vector<std::string> methods_compared(Quantity quantity, int dim) {
+    return dim == 2 ? names_of_methods<2>(quantity) : names_of_methods<3>(quantity);
+}
 
 std::string_view name_of(Trend trend) {
     switch (trend) {

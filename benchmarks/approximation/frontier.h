@@ -25,6 +25,7 @@ struct Candidate {
     int samples_per_metre;
     double mean_neighbours;
     double error;          // root mean square over the places, in the unit of the quantity
+    double largest_error;  // of the same; NaN where an answer is missing
     std::size_t failures;  // places without an answer, or with a singular moment matrix; of ...
     std::size_t places;
     Trend trend;
@@ -40,15 +41,24 @@ struct Candidate {
     double per_field_s() const { return per_place_s() * std::pow(samples_per_metre, dim); }
 };
 
-/// adams2009 Sec. 3, 3.1: with shape functions computed once, MLS is "as efficient as" SPH. Measured
-/// as time of the dot products over time of the SPH sum of the same neighbours.
+/// Over kernels, h/spacing and numbers of samples.
+struct RatioRange {
+    double median, lowest, highest;
+};
+
+/// adams2009 Sec. 3, 3.1: with shape functions computed once, MLS is "as efficient as" SPH. All times are
+/// per place, of methods that were timed in turns on the same neighbours.
 struct PrecomputedRatio {
     std::string method;
-    double over_sph_sum;            // median over kernels, h/spacing and numbers of samples
-    double lowest, highest;         // of the same
-    double over_precomputed_sph;    // both as dot products
-    double precomputation_in_sums;  // what the shape functions cost, in SPH sums
-    std::string verdict;            // "holds" up to the noise, or "does not hold"
+    RatioRange over_precomputed_sph;  // both as dot products: like with like
+    RatioRange over_sph_sum;          // the dot products over the SPH sum evaluated anew
+    double precomputation_in_sums;    // what the shape functions cost, in SPH sums; a median
+    /// After so many evaluations the shape functions are paid back, against the same method evaluated anew,
+    /// and against the SPH sum: their time over the time that each evaluation saves. Medians; infinite
+    /// where nothing is saved.
+    double pays_over_itself, pays_over_sph;
+    /// On the first ratio: "holds" up to the noise, "does not hold", or, of SPH, "measure of the others".
+    std::string verdict;
 };
 
 struct Frontier {
@@ -59,6 +69,9 @@ struct Frontier {
     std::vector<PrecomputedRatio> precomputed;
     std::string finding;  // one sentence, from the numbers
 };
+
+/// The methods that measure_frontier compares, by their names.
+std::vector<std::string> methods_compared(verification::Quantity quantity, int dim);
 
 /// Measures all methods for one quantity: the test function of `dim`, 2 or 3, on jittered samples.
 /// Errors do not depend on the number of threads, nor on the run. `between_steps`, called with a share
@@ -71,12 +84,13 @@ Frontier measure_frontier(verification::Quantity quantity, int dim, verification
 std::vector<std::size_t> pareto_front(const std::vector<Candidate>& candidates,
                                       const std::function<double(const Candidate&)>& cost);
 
-/// Of every precomputed method that is not SPH, over the SPH sum that was timed in turns with it.
+/// Of every method that can be precomputed, over the SPH sum that was timed in turns with it.
 std::vector<PrecomputedRatio> precomputed_ratios(const std::vector<Candidate>& candidates,
                                                  double noise);
 
 /// "MLS 2 is 40x cheaper than SPH Eq. 3 at 1e-02": per field, at the smallest error of the series 1,
-/// 2, 5, 10 that SPH attains; below `noise`, "cannot tell".
+/// 2, 5, 10 that SPH attains; below `noise`, "cannot tell". Where each kind ends, and up to which h/spacing
+/// that was looked for.
 std::string finding_of(const std::vector<Candidate>& candidates, double noise);
 
 }  // namespace benchmarks

@@ -1,4 +1,5 @@
 #include "benchmarks/approximation/frontier.h"
+#include "benchmarks/framework/figures.h"
 #include "benchmarks/framework/pareto.h"
 #include "verification/framework/statistics.h"
 
@@ -44,6 +45,29 @@ std::string verdict_on(double ratio, double noise) {
     return ratio <= 1.0 + noise ? "holds" : "does not hold";
 }
 
+RatioRange range_of(const std::vector<double>& ratios) {
+    const auto [low, high] = std::ranges::minmax(ratios);
+    return {verification::median(ratios), low, high};
+}
+
+/// After how many evaluations `once` is paid back if each then takes `applied` instead of `anew` [s].
+double paid_back_after(double once, double anew, double applied) {
+    return anew > applied ? once / (anew - applied) : HUGE_VAL;
+}
+
+/// The upper of the two in the middle, which may be infinite, so that no mean of them exists.
+double upper_median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+double widest_support_of_sph(const std::vector<Candidate>& candidates) {
+    double widest = 0.0;
+    for (const Candidate& c : candidates)
+        if (is_sph(c)) widest = std::max(widest, c.support_in_spacings);
+    return widest;
+}
+
 /// The candidates that were timed in turns, on the same neighbours.
 using Situations = std::map<std::tuple<std::string, double, int>, std::vector<const Candidate*>>;
 
@@ -63,26 +87,33 @@ std::vector<std::size_t> pareto_front(const std::vector<Candidate>& candidates,
 std::vector<PrecomputedRatio> precomputed_ratios(const std::vector<Candidate>& candidates,
                                                  double noise) {
     struct Ratios {
-        std::vector<double> over_sum, over_precomputed, precomputation;
+        bool sph;
+        std::vector<double> over_precomputed, over_sum, precomputation, over_itself, over_sph;
     };
     std::map<std::string, Ratios> ratios;
     for (const auto& [key, group] : by_situation(candidates)) {
         const Candidate& sph = *group.front();  // Eq. 3, 9 or 11: the plain sum
         if (!is_sph(sph) || !sph.application) continue;
+        const double sum = sph.evaluation.median_s;
         for (const Candidate* c : group) {
-            if (!c->application || is_sph(*c)) continue;
+            if (!c->application) continue;
+            const double once = c->precomputation->median_s, applied = c->application->median_s;
             Ratios& r = ratios[c->method];
-            r.over_sum.push_back(c->application->median_s / sph.evaluation.median_s);
-            r.over_precomputed.push_back(c->application->median_s / sph.application->median_s);
-            r.precomputation.push_back(c->precomputation->median_s / sph.evaluation.median_s);
+            r.sph = is_sph(*c);
+            r.over_precomputed.push_back(applied / sph.application->median_s);
+            r.over_sum.push_back(applied / sum);
+            r.precomputation.push_back(once / sum);
+            r.over_itself.push_back(paid_back_after(once, c->evaluation.median_s, applied));
+            r.over_sph.push_back(paid_back_after(once, sum, applied));
         }
     }
     std::vector<PrecomputedRatio> all;
     for (const auto& [method, r] : ratios) {
-        const auto [low, high] = std::ranges::minmax(r.over_sum);
-        const double middle = verification::median(r.over_sum);
-        all.push_back({method, middle, low, high, verification::median(r.over_precomputed),
-                       verification::median(r.precomputation), verdict_on(middle, noise)});
+        const RatioRange like_with_like = range_of(r.over_precomputed);
+        all.push_back({method, like_with_like, range_of(r.over_sum),
+                       verification::median(r.precomputation), upper_median(r.over_itself),
+                       upper_median(r.over_sph),
+                       r.sph ? "measure of the others" : verdict_on(like_with_like.median, noise)});
     }
     return all;
 }
@@ -107,12 +138,13 @@ std::string finding_of(const std::vector<Candidate>& candidates, double noise) {
             finding = fmt::format("whether {} or {} is cheaper at {:.0e}, this machine cannot tell",
                                   b->method, a->method, target);
         else
-            finding = fmt::format("{} is {:.2g}x cheaper than {} at {:.0e}", cheap->method, factor,
-                                  dear->method, target);
+            finding = fmt::format("{} is {}x cheaper than {} at {:.0e}", cheap->method,
+                                  factor_in_words(factor), dear->method, target);
     }
     if (best->error < 0.5 * sph->error)
-        finding += fmt::format("; SPH ends at {:.0e}, {} at {:.0e}", sph->error, best->method,
-                               best->error);
+        finding +=
+            fmt::format("; up to h/dx = {:g} SPH ends at {:.0e}, {} at {:.0e}",
+                        widest_support_of_sph(candidates), sph->error, best->method, best->error);
     return finding;
 }
 

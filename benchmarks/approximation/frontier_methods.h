@@ -12,25 +12,34 @@
 
 namespace benchmarks {
 
+/// What an Eulerian step costs beside the method [s per sample].
+struct SampleCosts {
+    double search_s, volumes_s;
+};
+
 /// The test function of the dimension (Franke's in the plane, plane waves in space) on jittered samples,
 /// and the places where it is approximated, in the unit box, far from the boundary of the samples. Derivatives are taken at samples, since some forms exist
 /// nowhere else; values in between, at Halton points: at a sample with few neighbours every method
 /// that can hardly do anything but return the sample would look accurate.
 template <int Dim> struct Situation {
     std::string kernel;
+    double support_in_spacings;
     double spacing, support;  // [m]
     plumbline::Points<Dim> x;
-    std::vector<double> m, rho, V, f;
-    plumbline::NeighbourLists neighbours;  // of all samples
+    std::vector<double> m, f;
+    /// NaN farther than a support from the unit box, where no place feels it, and of a kernel that is infinite
+    /// at 0, which has no density.
+    std::vector<double> rho, V;
+    plumbline::NeighbourLists neighbours;  // a row for each sample, empty unless it is measured
     plumbline::Points<Dim> places;
     plumbline::NeighbourLists rows;          // of the places
     std::vector<plumbline::Index> measured;  // the places as samples; empty if they are none
 
-    Situation(verification::Quantity quantity, std::string kernel, double support_in_spacings,
+    Situation(verification::Quantity quantity, std::string kernel_name, double h_over_spacing,
               int samples_per_metre, std::size_t most_places);
-    /// The neighbours of all samples, found anew; their volumes, from densities summed anew.
-    plumbline::NeighbourLists find_neighbours() const;
-    std::vector<double> sum_volumes() const;
+    /// Medians of `rounds`, of finding neighbours and of summing densities anew, for so many of the samples
+    /// around the centre that their lists fit into memory.
+    SampleCosts sample_costs(int rounds) const;
     plumbline::Samples<Dim> samples() const { return {x, V, neighbours}; }
 };
 

@@ -7,6 +7,8 @@
 #include "solver/approximation/sph_shape.h"
 #include "solver/kernels/all_kernels.h"
 
+#include <cmath>
+
 namespace benchmarks {
 
 namespace {
@@ -16,13 +18,16 @@ using verification::Quantity;
 template <RadialKernel K>
 std::vector<PreparedMethod> values(const K& w, const Situation<K::dim>& s) {
     const auto q = Quantity::value;
-    std::vector<PreparedMethod> all{at_places("SPH Eq. 3", true, s, q, answer_of([&s, w](Index k) {
-                                                  return interpolate(w, s.samples(), s.f,
-                                                                     place(s, k));
-                                              })),
-                                    at_places("Shepard", true, s, q, answer_of([&s, w](Index k) {
-                                                  return shepard(w, s.samples(), s.f, place(s, k));
-                                              }))};
+    // Equal volumes where there is no density: masses are equal, and Shepard's quotient takes any factor.
+    const bool has_density = w.value(0.0) < HUGE_VAL;
+    const Samples<K::dim> weighted{s.x, has_density ? s.V : s.m, s.neighbours};
+    std::vector<PreparedMethod> all{
+        at_places("SPH Eq. 3", true, s, q, answer_of([&s, w](Index k) {
+                      return interpolate(w, s.samples(), s.f, place(s, k));
+                  })),
+        at_places("Shepard", has_density, s, q, answer_of([&s, w, weighted](Index k) {
+                      return shepard(w, weighted, s.f, place(s, k));
+                  }))};
     add_shape_functions<K::dim>(all.front(), {SphShape<K>(w, s.samples())}, s, q);
     return all;
 }

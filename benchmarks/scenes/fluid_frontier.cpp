@@ -83,6 +83,13 @@ const std::vector<std::string>& fluid_tasks() {
     return names;
 }
 
+std::vector<std::string> fluid_methods(const std::string& task) {
+    std::vector<std::string> names;
+    for (const FluidCandidate& c : fluid_task_of(task).variants)
+        if (std::ranges::find(names, c.method) == names.end()) names.push_back(c.method);
+    return names;
+}
+
 FluidFrontier measure_fluids(const std::string& name, Effort effort,
                              const std::function<void()>& between_runs) {
     const OneThread one_thread;

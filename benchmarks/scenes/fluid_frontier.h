@@ -37,6 +37,8 @@ struct FluidFrontier {
 
 /// taylor_green, hydrostatic, dam_break.
 const std::vector<std::string>& fluid_tasks();
+/// The methods of one of them, each once. Throws InvalidInput for a task that is none.
+std::vector<std::string> fluid_methods(const std::string& task);
 
 /// Runs every method of a task over resolution, kernel, h/dx, speed of sound and time step: each of the last four varied
 /// alone, around a usual choice, at every resolution. `between_runs` may throw to end it.

@@ -7,7 +7,7 @@
 
 namespace reports {
 
-/// One chart: its title is what it shows, its colours can be told apart by everybody (Okabe-Ito),
+/// One chart: its title is what it shows, its first ten colours can be told apart by everybody,
 /// and marker and dash say the same as the colour. Colour, marker and dash follow from the index.
 struct Chart {
     struct Axis {
@@ -25,13 +25,15 @@ struct Chart {
         std::string name;
         std::vector<double> x, y;  // y not finite: the point stands on the upper rim
         std::vector<Range> x_range = {}, y_range = {};  // ends of the error bars; empty: no bars
-        std::vector<double> failures = {};     // x [unit of the axis] where the method failed
-        bool joined = true;                    // by a line, in the order given
-        std::optional<int> style = {};         // the index to take instead of its own
+        std::vector<double> failures =
+            {};                         // x [unit of the axis] where the method failed: crossed out
+        bool joined = true;             // by a line, in the order given
+        std::optional<int> style = {};  // the index to take instead of its own
         std::vector<std::string> labels = {};  // beside each point; empty: none
         std::vector<Outline> outlines = {};    // closed curves around its points: their spread
         bool markers = true;                   // on the line; without them it is a curve
         bool in_key = true;                    // the legend names it
+        bool open = false;                     // markers are outlines
     };
     std::string finding;  // the title: "MLS-2 is 40x cheaper than SPH at 1e-4"
     Axis x, y;

@@ -48,6 +48,7 @@ Json json_of(const Chart::Series& s) {
     if (s.style) json["style"] = *s.style;
     if (!s.markers) json["markers"] = false;
     if (!s.in_key) json["in_key"] = false;
+    if (s.open) json["open"] = true;
     return json;
 }
 Chart::Series series_from(const Json& json) {
@@ -62,7 +63,8 @@ Chart::Series series_from(const Json& json) {
                     .labels = json.value("labels", std::vector<std::string>{}),
                     .outlines = {},
                     .markers = json.value("markers", true),
-                    .in_key = json.value("in_key", true)};
+                    .in_key = json.value("in_key", true),
+                    .open = json.value("open", false)};
     for (const Json& o : json.value("outlines", Json::array()))
         s.outlines.push_back({values_of(o["x"]), values_of(o["y"])});
     if (json.contains("style")) s.style = json["style"].get<int>();

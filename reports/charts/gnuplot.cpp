@@ -172,11 +172,15 @@ Blocks blocks_of(const Chart::Series& s, const Frame& frame) {
     return blocks;
 }
 
+/// gnuplot has the outline of each filled marker before it.
+int outline_of(int marker) { return marker % 2 == 1 && marker >= 5 ? marker - 1 : marker; }
+
 /// The parts of the plot command of one series.
 std::vector<std::string> plots_of(const Chart::Series& s, int index, const Blocks& blocks) {
-    const SeriesStyle style = style_of(s.style.value_or(index));
+    SeriesStyle style = style_of(s.style.value_or(index));
+    if (s.open) style.marker = outline_of(style.marker);
     const std::string line = fmt::format("lc rgb '{}' lw 1.8 dt {}", style.colour, style.dash);
-    const double size = s.labels.empty() ? 0.8 : 1.8;
+    const double size = s.labels.empty() ? 1.1 : 1.8;
     const std::string point =
         fmt::format("lc rgb '{}' pt {} ps {}", style.colour, style.marker, size);
     const std::string bar = fmt::format("lc rgb '{}' lw 1 notitle", style.colour);
@@ -203,11 +207,12 @@ std::vector<std::string> plots_of(const Chart::Series& s, int index, const Block
     if (!blocks.outlines.empty())
         plots.push_back(fmt::format("$outlines{} using 1:2 with lines lc rgb '{}' lw 1.2 notitle",
                                     index, style.colour));
-    if (!blocks.rim.empty())
+    if (!blocks.rim.empty()) {
+        const std::string rim = fmt::format("$rim{} using 1:2 with points", index);
+        if (s.markers) plots.push_back(fmt::format("{} {} notitle", rim, point));
         plots.push_back(
-            fmt::format("$rim{} using 1:2 with points lc rgb '{}' pt 2 ps 1.2 lw 2 "
-                        "notitle",
-                        index, style.colour));
+            fmt::format("{} lc rgb '{}' pt 2 ps 1.9 lw 1.2 notitle", rim, style.colour));
+    }
     return plots;
 }
 
@@ -230,12 +235,17 @@ void name_picture(const Chart& chart, const std::filesystem::path& svg) {
 }  // namespace
 
 SeriesStyle style_of(int index) {
-    static const std::array<const char*, 8> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                    "#E69F00", "#56B4E9", "#000000", "#8C8C00"};
-    static const std::array<int, 8> markers{7, 5, 9, 13, 11, 6, 4, 8};
+    // Okabe and Ito's, black as the last, and between them three that are as far from all others, in CIELAB, as
+    // those are from one another (16) for normal sight, protanopia, deuteranopia and tritanopia.
+    static const std::array<const char*, 10> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                     "#E69F00", "#56B4E9", "#770000", "#330077",
+                                                     "#77BB55", "#000000"};
+    // Filled ones, whose outlines are free for another use, then signs of lines.
+    static const std::array<int, 7> markers{7, 5, 9, 13, 11, 15, 3};
     static const std::array<const char*, 4> dashes{"1", "(9,4)", "(2,3)", "(12,3,2,3)"};
     const auto k = static_cast<std::size_t>(std::max(index, 0));
-    return {colours[k % 8], markers[(k + k / 8) % 8], dashes[(k + k / 8) % 4]};
+    return {colours[k % colours.size()], markers[k % markers.size()],
+            dashes[(k + k / colours.size()) % dashes.size()]};
 }
 
 /// Beside the plot, unless a long name would leave it no width; then below, on more paper.

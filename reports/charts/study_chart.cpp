@@ -1,5 +1,6 @@
 #include "reports/charts/study_chart.h"
 
+#include "benchmarks/framework/figures.h"
 #include "reports/words.h"
 
 #include <fmt/format.h>
@@ -27,9 +28,10 @@ std::string finding(const StudyResult& result) {
     }
     if (!best) return "No method gave an answer";
     if (best == worst) return fmt::format("{} converges: {}", best->name, order_of(*best));
-    return fmt::format("{} ({}) ends {} times below {} ({})", best->name, order_of(*best),
-                       factor_in_words(worst->fit.error.back() / best->fit.error.back()),
-                       worst->name, order_of(*worst));
+    return fmt::format(
+        "{} ({}) ends {} times below {} ({})", best->name, order_of(*best),
+        benchmarks::factor_in_words(worst->fit.error.back() / best->fit.error.back()), worst->name,
+        order_of(*worst));
 }
 
 Chart::Series series_of(const SeriesResult& s, const std::vector<double>& spacing) {

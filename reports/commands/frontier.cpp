@@ -24,16 +24,38 @@ struct Options {
 };
 
 void print_row(const Candidate& c) {
-    fmt::print("{:<12} {:<14} {:>8.1f} {:>8} {:>10.1f} {:>10.2e} {:>12.3e} {:>12.3e} {:<10}\n",
-               c.method, c.kernel, c.support_in_spacings, c.samples_per_metre, c.mean_neighbours,
-               c.error, c.per_place_s(), c.per_field_s(), name_of(c.trend));
+    fmt::print(
+        "{:<12} {:<14} {:>8.1f} {:>8} {:>10.1f} {:>10.2e} {:>10.2e} {:>12.3e} {:>12.3e} {:<10}\n",
+        c.method, c.kernel, c.support_in_spacings, c.samples_per_metre, c.mean_neighbours, c.error,
+        c.largest_error, c.per_place_s(), c.per_field_s(), name_of(c.trend));
+}
+
+std::string in_words(const benchmarks::RatioRange& r) {
+    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", r.median, r.lowest, r.highest);
+}
+
+void print_ratios(const Frontier& frontier) {
+    fmt::print("as efficient as SPH once the shape functions are computed (adams2009 Sec. 3.1)?\n");
+    fmt::print("{:<12} {:>19} {:>19} {:>15} {:>16} {:>16}  {}\n", "method", "over SPH, computed",
+               "over SPH sums,", "computing once,", "paid back, over", "over SPH sums,",
+               "like with like");
+    fmt::print("{:<12} {:>19} {:>19} {:>15} {:>16} {:>16}\n", "", "once, too", "anew",
+               "in SPH sums", "itself anew, after", "anew, after");
+    for (const benchmarks::PrecomputedRatio& r : frontier.precomputed)
+        fmt::print("{:<12} {:>19} {:>19} {:>15.1f} {:>16} {:>16}  {}\n", r.method,
+                   in_words(r.over_precomputed_sph), in_words(r.over_sph_sum),
+                   r.precomputation_in_sums, evaluations(r.pays_over_itself),
+                   evaluations(r.pays_over_sph), r.verdict);
+    fmt::print(
+        "medians over kernels, h/dx and numbers of samples, with the lowest and the highest; "
+        "paid back after so many evaluations\n\n");
 }
 
 void print(const Frontier& frontier) {
     fmt::print("{} in {}D: {}\n\n", task_of(frontier.quantity), frontier.dim, frontier.finding);
-    fmt::print("{:<12} {:<14} {:>8} {:>8} {:>10} {:>10} {:>12} {:>12} {:<10}\n", "Pareto front",
-               "kernel", "h/dx", "1/dx", "neighbours", "error", "s per place", "s per field",
-               "trend");
+    fmt::print("{:<12} {:<14} {:>8} {:>8} {:>10} {:>10} {:>10} {:>12} {:>12} {:<10}\n",
+               "Pareto front", "kernel", "h/dx", "1/dx", "neighbours", "error", "largest",
+               "s per place", "s per field", "trend");
     for (const std::size_t k :
          benchmarks::pareto_front(frontier.candidates, &Candidate::per_field_s))
         print_row(frontier.candidates[k]);
@@ -41,14 +63,7 @@ void print(const Frontier& frontier) {
         std::ranges::count_if(frontier.candidates, [](const Candidate& c) { return c.failed(); });
     fmt::print("\n{} of {} combinations failed; A/A noise {:.1f} %\n\n", failed,
                frontier.candidates.size(), 100.0 * frontier.noise);
-    fmt::print("as efficient as SPH once the shape functions are computed (adams2009 Sec. 3.1)?\n");
-    fmt::print("{:<12} {:>14} {:>10} {:>10} {:>20} {:>18} {}\n", "method", "over SPH sum", "lowest",
-               "highest", "over precomputed SPH", "to compute, in sums", "verdict");
-    for (const benchmarks::PrecomputedRatio& r : frontier.precomputed)
-        fmt::print("{:<12} {:>14.2f} {:>10.2f} {:>10.2f} {:>20.2f} {:>18.1f} {}\n", r.method,
-                   r.over_sph_sum, r.lowest, r.highest, r.over_precomputed_sph,
-                   r.precomputation_in_sums, r.verdict);
-    fmt::print("\n");
+    print_ratios(frontier);
 }
 
 void write_files(const Frontier& frontier, const std::filesystem::path& folder) {
@@ -57,7 +72,7 @@ void write_files(const Frontier& frontier, const std::filesystem::path& folder) 
         fmt::print(stderr, "wrote {}\n", files.svg.string());
     }
     const std::filesystem::path table = folder / ("frontier_" + name_of(frontier) + ".csv");
-    write_file(table, csv_of(frontier));
+    write_file(table, candidates_csv(json_of(frontier)));
     fmt::print(stderr, "wrote {}\n", table.string());
 }
 

@@ -84,12 +84,21 @@ Json drawn(const Json& json, const std::filesystem::path& directory) {
             {"points", table_of(chart)}};
 }
 
-/// Adds "drawn" beside every "chart", at any depth.
+/// A file beside the charts, and the same in the page as what a link saves.
+Json kept(const Json& file, const std::filesystem::path& directory) {
+    const std::string name = file["name"], text = file["text"];
+    std::filesystem::create_directories(directory);
+    write_file(directory / name, text);
+    return {{"name", name}, {"link", "data:text/csv;base64," + plumbline::encode_base64(text)}};
+}
+
+/// Adds "drawn" beside every "chart", at any depth, and replaces every "file" by its link.
 void draw_charts(Json& view, const std::filesystem::path& directory) {
     if (view.is_object() && view.contains("chart")) view["drawn"] = drawn(view["chart"], directory);
+    if (view.is_object() && view.contains("file")) view["file"] = kept(view["file"], directory);
     if (view.is_structured())
         for (auto& [key, value] : view.items())
-            if (key != "chart" && key != "drawn") draw_charts(value, directory);
+            if (key != "chart" && key != "drawn" && key != "file") draw_charts(value, directory);
 }
 }  // namespace
 

@@ -28,7 +28,8 @@ struct Section {
     /// What the template reads, from the finished report; null if there is nothing to show, then the
     /// section is left out. A function of its arguments alone, so a stored report gives its page.
     /// The page draws every chart in it: where an object has a "chart", as json_of(Chart) gives it,
-    /// the template finds the picture and its table as "drawn".
+    /// the template finds the picture and its table as "drawn". A "file" with a "name" and a "text", a CSV, is
+    /// written beside the charts; the template finds a "link" that saves it.
     std::function<Json(const Json& report)> view;
     std::string body;  // mustache
 };

@@ -1,4 +1,5 @@
 #include "benchmarks/approximation/frontier.h"
+#include "benchmarks/framework/figures.h"
 
 #include <catch2/catch.hpp>
 
@@ -54,12 +55,14 @@ TEST_CASE("a finding says who is cheaper, by how much, at which error, and where
                                             candidate("MLS 2", 1, 0.8e-2),
                                             candidate("MLS 2", 5, 1e-5)};
     CHECK(finding_of(candidates, 0.05) ==
-          "MLS 2 is 40x cheaper than SPH Eq. 3 at 1e-02; SPH ends at 9e-03, MLS 2 at 1e-05");
+          "MLS 2 is 40x cheaper than SPH Eq. 3 at 1e-02; up to h/dx = 2.5 SPH ends at 9e-03, MLS 2 "
+          "at "
+          "1e-05");
 }
 
 TEST_CASE("a finding turns round when SPH is cheaper") {
     CHECK(finding_of({candidate("SPH Eq. 3", 1, 1e-2), candidate("MLS 1", 3, 1e-2)}, 0.05) ==
-          "SPH Eq. 3 is 3x cheaper than MLS 1 at 1e-02");
+          "SPH Eq. 3 is 3.0x cheaper than MLS 1 at 1e-02");
 }
 
 TEST_CASE("below the noise nobody is cheaper") {
@@ -88,14 +91,35 @@ TEST_CASE("precomputed methods are compared with the SPH sum of their own situat
         }
     }
     const auto ratios = precomputed_ratios(candidates, 0.05);
-    REQUIRE(ratios.size() == 1);
+    REQUIRE(ratios.size() == 2);
     CHECK(ratios[0].method == "MLS 2");
-    CHECK(ratios[0].over_sph_sum == Approx(0.75));
-    CHECK(ratios[0].over_precomputed_sph == Approx(1.5));
+    CHECK(ratios[0].over_sph_sum.median == Approx(0.75));
+    CHECK(ratios[0].over_precomputed_sph.median == Approx(1.5));
     CHECK(ratios[0].precomputation_in_sums == Approx(10.0));
-    CHECK(ratios[0].verdict == "holds");
+    CHECK(ratios[0].pays_over_itself == Approx(20.0 / (50.0 - 1.5)));
+    CHECK(ratios[0].pays_over_sph == Approx(20.0 / (2.0 - 1.5)));
+    CHECK(ratios[0].verdict == "does not hold");  // like with like, though the sum takes longer
+    CHECK(ratios[1].method == "SPH Eq. 3");
+    CHECK(ratios[1].over_precomputed_sph.median == Approx(1.0));
+    CHECK(ratios[1].verdict == "measure of the others");
+    for (Candidate& c : candidates)
+        if (c.method == "MLS 2") c.application->median_s /= 1.5;
+    CHECK(precomputed_ratios(candidates, 0.05)[0].verdict == "holds");
     for (Candidate& c : candidates) c.application->median_s *= 2.0;
-    CHECK(precomputed_ratios(candidates, 0.05)[0].verdict == "does not hold");
+    CHECK(precomputed_ratios(candidates, 0.05)[0].pays_over_sph == HUGE_VAL);
+}
+
+TEST_CASE("a factor in a sentence has two figures, and a power of ten only far from 1") {
+    CHECK(factor_in_words(1.84) == "1.8");
+    CHECK(factor_in_words(9.96) == "10");
+    CHECK(factor_in_words(42.4) == "42");
+    CHECK(factor_in_words(99.6) == "100");
+    CHECK(factor_in_words(178.0) == "180");
+    CHECK(factor_in_words(0.051) == "0.051");
+    CHECK(factor_in_words(99999.0) == "1.0·10⁵");
+    CHECK(factor_in_words(2.34e12) == "2.3·10¹²");
+    CHECK(factor_in_words(4.1e-5) == "4.1·10⁻⁵");
+    CHECK(factor_in_words(NAN) == "none");
 }
 
 }  // namespace frontier_test

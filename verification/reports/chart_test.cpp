@@ -1,6 +1,7 @@
 #include "reports/charts/chart.h"
 
 #include "reports/charts/gnuplot.h"
+#include "reports/charts/study_chart.h"
 #include "reports/files.h"
 #include "solver/foundation/errors.h"
 
@@ -80,6 +81,53 @@ TEST_CASE("the first 32 series can be told apart without colour") {
         styles.emplace(s.colour, s.marker, s.dash);
     }
     CHECK(styles.size() == 32);
+}
+
+TEST_CASE("the first ten series have ten colours") {
+    std::set<std::string> colours;
+    for (int k = 0; k < 10; ++k) colours.insert(reports::style_of(k).colour);
+    CHECK(colours.size() == 10);
+}
+
+TEST_CASE("what failed keeps its marker under the cross, filled or open") {
+    Chart chart = example();
+    chart.series[1].open = true;
+    chart.series[1].failures = {0.0125};
+    const std::string script = reports::gnuplot_script(chart, {"a.svg", "a.png", "a.csv"});
+    const auto style = [](int k) {
+        return "lc rgb '" + reports::style_of(k).colour + "' pt " +
+               std::to_string(reports::style_of(k).marker - k);  // the outline is the one before
+    };
+    CHECK(script.find("$rim0 using 1:2 with points " + style(0)) != std::string::npos);
+    CHECK(script.find("$rim1 using 1:2 with points " + style(1)) != std::string::npos);
+    CHECK(script.find("$rim1 using 1:2 with points lc rgb '" + reports::style_of(1).colour +
+                      "' pt 2") != std::string::npos);
+}
+
+TEST_CASE("the chart of a study has no order -0.0, and says of one seed that it is one") {
+    using namespace verification;
+    SeriesResult rests{.name = "sph",
+                       .expected_order = at_least(1.0, ""),
+                       .expected_saturation = false,
+                       .errors = {{0.1}, {0.1001}},
+                       .fit = {},
+                       .verdict = Verdict::saturated};
+    rests.fit.order = -0.04;
+    rests.fit.error = {0.1, 0.1001};
+    SeriesResult falls = rests;
+    falls.name = "mls";
+    falls.errors = {{1e-2}, {5e-4}};
+    falls.fit.order = 2.0;
+    falls.fit.error = {1e-2, 5e-4};
+    StudyResult result{};
+    result.study.says = "it converges";
+    result.spacing = {0.1, 0.05};
+    result.seeds = 1;
+    result.series = {rests, falls};
+    const Chart chart = reports::chart_of(result);
+    CHECK(chart.finding == "mls (order 2.0) ends 200 times below sph (order 0.0)");
+    CHECK(chart.series[0].name == "sph: order 0.0");
+    CHECK(chart.caption.find("Nothing is random") != std::string::npos);
 }
 
 }  // namespace chart_test

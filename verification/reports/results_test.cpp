@@ -2,6 +2,7 @@
 #include "reports/json.h"
 #include "reports/junit.h"
 #include "reports/measurements.h"
+#include "reports/process.h"
 #include "reports/words.h"
 
 #include <boost/property_tree/xml_parser.hpp>
@@ -62,15 +63,7 @@ TEST_CASE("what JSON has no number for comes back as it was") {
     CHECK(std::isnan(reports::value_of(reports::number(NAN))));
 }
 
-TEST_CASE("numbers in sentences have no exponent, and zero no sign") {
-    using reports::factor_in_words;
-    CHECK(factor_in_words(1.84) == "1.8");
-    CHECK(factor_in_words(9.96) == "10");
-    CHECK(factor_in_words(178.0) == "180");
-    CHECK(factor_in_words(99999.0) == "1.0·10⁵");
-    CHECK(factor_in_words(2.34e12) == "2.3·10¹²");
-    CHECK(factor_in_words(0.041) == "4.1·10⁻²");
-    CHECK(factor_in_words(NAN) == "none");
+TEST_CASE("an order that rounds to zero has no sign") {
     CHECK(reports::order_in_words(-0.02) == "0.0");
     CHECK(reports::order_in_words(-1.04) == "-1.0");
 }
@@ -111,6 +104,12 @@ TEST_CASE("JUnit is XML that counts what failed") {
     }
     CHECK(names == std::vector<std::string>{"a.good", "a.bad", "b.weak"});
     CHECK(failed == std::vector<std::string>{"failed", "toothless"});
+}
+
+TEST_CASE("of a child process both streams are kept, or stdout alone") {
+    const std::vector<std::string> speaks{"sh", "-c", "echo complaint >&2; echo answer"};
+    CHECK(reports::run_process(speaks)->output == "complaint\nanswer\n");
+    CHECK(reports::run_process(speaks, reports::Streams::stdout_only)->output == "answer\n");
 }
 
 }  // namespace results_test
