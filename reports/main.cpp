@@ -13,6 +13,7 @@ using reports::ExitCode;
 ExitCode run(int argc, char** argv) {
     reports::CommandLine line(
         "Plumbline: is the method right, what does accuracy cost, where does it break?");
+    line.set_version("plumbline " + reports::provenance().version);
     int threads = 0;
     line.add_option("--threads", threads, "threads to use (default: all)")
         .check(reports::between(1, 4096));

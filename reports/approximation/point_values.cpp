@@ -204,17 +204,37 @@ template <int Dim> std::vector<PointValue> in_dimension(const ApproximationTask&
 
 }  // namespace
 
+const std::vector<NamedMethod>& methods() {
+    static const std::vector<NamedMethod> all = [] {
+        std::vector<NamedMethod> list{
+            {"sph", {Family::sph}, "adams2009 Eqs. 3, 9, 11", "exact for no polynomial"},
+            {"shepard",
+             {Family::shepard},
+             "adams2009 Sec. 2.1",
+             "normalised weights; exact for constants; interpolates with a singular kernel"}};
+        for (int order = 0; order <= 3; ++order)
+            list.push_back({fmt::format("mls:{}", order),
+                            {Family::mls, order},
+                            "adams2009 Eqs. 27-34",
+                            fmt::format("moving least squares, exact to degree {}", order)});
+        for (int order = 0; order <= 3; ++order)
+            list.push_back(
+                {fmt::format("mlsph:{}", order),
+                 {Family::mlsph, order},
+                 "adams2009 Sec. 4",
+                 fmt::format("the highest order up to {} that the samples determine", order)});
+        list.push_back({"mueller",
+                        {Family::mueller},
+                        "adams2009 Eqs. 35-38",
+                        "gradient at samples, exact for linear fields"});
+        return list;
+    }();
+    return all;
+}
+
 Method parse_method(std::string_view text) {
-    if (text == "sph") return {Family::sph};
-    if (text == "shepard") return {Family::shepard};
-    if (text == "mueller") return {Family::mueller};
-    for (const auto& [name, family] :
-         {std::pair{"mls:", Family::mls}, std::pair{"mlsph:", Family::mlsph}})
-        if (text.starts_with(name)) {
-            const std::string_view order = text.substr(std::string_view(name).size());
-            if (order.size() == 1 && '0' <= order[0] && order[0] <= '3')
-                return {family, order[0] - '0'};
-        }
+    for (const NamedMethod& known : methods())
+        if (known.name == text) return known.method;
     throw InvalidInput(fmt::format(
         "expected sph, shepard, mls:N, mlsph:N (N = 0, 1, 2 or 3) or mueller, found \"{}\"", text));
 }

@@ -17,8 +17,16 @@ struct Method {
     int order = 0;  // of mls and mlsph
 };
 
-/// Reads "sph", "shepard", "mls:N", "mlsph:N" or "mueller", N = 0..3.
-/// Throws InvalidInput for anything else.
+/// A method, and what it is.
+struct NamedMethod {
+    std::string name;
+    Method method;
+    std::string source, says;
+};
+/// "sph", "shepard", "mls:N", "mlsph:N" and "mueller", N = 0..3.
+const std::vector<NamedMethod>& methods();
+
+/// The one of that name. Throws InvalidInput if there is none.
 Method parse_method(std::string_view text);
 
 /// A field and its derivatives at one point; what the method does not give there is empty.

@@ -1,4 +1,5 @@
 #include "reports/approximation/point_values.h"
+#include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/json.h"
 #include "solver/io/csv.h"
@@ -14,9 +15,8 @@ namespace {
 using plumbline::PointFile;
 
 struct Options {
-    std::string samples, at, method, kernel, field = "f", mass;
+    std::string samples, at, method, kernel, field = "f", mass, json;
     double support = 0.0;
-    bool json = false;
 };
 
 constexpr const char* axes[] = {"x", "y", "z"};
@@ -51,25 +51,22 @@ void write_csv(const PointFile& at, const std::vector<PointValue>& values) {
     }
 }
 
-void print_json(const Options& options, const PointFile& at,
-                const std::vector<PointValue>& values) {
-    const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json(); };
+Json json_of(const Options& options, const PointFile& at, const std::vector<PointValue>& values) {
+    const auto known = [](const std::optional<double>& x) { return x ? number(*x) : Json(); };
     Json points = Json::array();
     for (std::size_t i = 0; i < values.size(); ++i) {
         const PointValue& p = values[i];
         const auto x = coordinates(at, i);
         points.push_back({{"x", std::vector<double>(x.begin(), x.end())},
-                          {"value", number(p.value)},
+                          {"value", known(p.value)},
                           {"gradient", p.gradient.empty() ? Json() : Json(p.gradient)},
-                          {"laplacian", number(p.laplacian)},
+                          {"laplacian", known(p.laplacian)},
                           {"status", p.status}});
     }
-    write_json({{"schema", 1},
-                {"method", options.method},
-                {"kernel", options.kernel},
-                {"support", options.support},
-                {"points", std::move(points)}},
-               "-");
+    return {{"method", options.method},
+            {"kernel", options.kernel},
+            {"support", options.support},
+            {"points", std::move(points)}};
 }
 
 /// On stderr, how many points have less than the method promises.
@@ -102,10 +99,9 @@ ExitCode run(const Options& options) {
         mass = "m";
     const auto values =
         approximate({samples, at, options.field, mass, method, options.kernel, options.support});
-    if (options.json)
-        print_json(options, at, values);
-    else
-        write_csv(at, values);
+    if (!options.json.empty())
+        write_json(document("approximate", json_of(options, at, values)), options.json);
+    if (options.json != "-") write_csv(at, values);
     say_what_is_missing(values);
     return ExitCode::ok;
 }
@@ -128,7 +124,9 @@ const RegisterCommand command{
              .required();
          line.add_option("--field", options->field, "column of the samples, if it is not f");
          line.add_option("--mass", options->mass, "column of the masses, if it is not m");
-         line.add_flag("--json", options->json, "as JSON");
+         line.add_option("--json", options->json, "write the results to this file, - for stdout")
+             .alone_means("-")
+             .check(output_file());
          return [options] { return run(*options); };
      }}};
 }  // namespace

@@ -66,6 +66,7 @@ template Option CommandLine::add_option(const std::string&, std::string&, const 
 template Option CommandLine::add_option(const std::string&, int&, const std::string&);
 template Option CommandLine::add_option(const std::string&, double&, const std::string&);
 template Option CommandLine::add_option(const std::string&, std::size_t&, const std::string&);
+template Option CommandLine::add_option(const std::string&, std::uint32_t&, const std::string&);
 template Option CommandLine::add_option(const std::string&, std::optional<double>&,
                                         const std::string&);
 template Option CommandLine::add_option(const std::string&, std::vector<std::string>&,
@@ -79,6 +80,10 @@ template Option CommandLine::add_option(const std::string&, std::vector<std::uin
 Option CommandLine::add_flag(const std::string& names, bool& value,
                              const std::string& description) {
     return Option(app_->add_flag(names, value, description));
+}
+
+void CommandLine::set_version(const std::string& text) {
+    app_->set_version_flag("--version", text);
 }
 
 CommandLine CommandLine::add_command(const std::string& name, const std::string& description) {

@@ -60,14 +60,18 @@ public:
     Option add_option(const std::string& names, T& value, const std::string& description);
     Option add_flag(const std::string& names, bool& value, const std::string& description);
 
+    /// `--version` writes `text` to stdout, and nothing is run.
+    void set_version(const std::string& text);
+
     /// Exactly one of the commands has to be given; its options are added to the result.
     CommandLine add_command(const std::string& name, const std::string& description);
 
     struct Request {
-        std::string command;     // the name of the one to run; empty if there is nothing to run,
-        bool understood = true;  // because help was asked for, or (false) the line is wrong
+        std::string command;  // the name of the one to run; empty if there is nothing to run,
+        bool understood =
+            true;  // because help or the version was asked for, or (false) the line is wrong
     };
-    /// Writes help to stdout, and what is wrong to stderr.
+    /// Writes help and version to stdout, and what is wrong to stderr.
     Request parse(int argc, const char* const* argv);
 
 private:

@@ -1,8 +1,15 @@
+#include "benchmarks/approximation/frontier.h"
+#include "benchmarks/neighbours/contestants.h"
+#include "benchmarks/scenes/fluid_frontier.h"
+#include "reports/approximation/point_values.h"
+#include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/files.h"
+#include "reports/frontier_report.h"
 #include "reports/json.h"
 #include "reports/scenes.h"
 #include "solver/kernels/all_kernels.h"
+#include "solver/neighbours/brute_force.h"
 #include "solver/particles/samplings.h"
 #include "verification/framework/registry.h"
 #include "verification/framework/traceability.h"
@@ -10,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -29,6 +37,20 @@ template <class Entries> Json described(const Entries& entries) {
     return all;
 }
 
+/// Names and what was added to each, in the order in which they came first.
+struct Notes {
+    std::vector<std::pair<std::string, std::string>> entries;
+
+    void add(const std::string& name, const std::string& note) {
+        for (auto& [known, notes] : entries)
+            if (known == name) {
+                notes += " " + note;
+                return;
+            }
+        entries.emplace_back(name, note);
+    }
+};
+
 Json errata() {
     Json all = Json::array();
     for (const verification::Erratum& e : verification::errata())
@@ -44,25 +66,83 @@ Json statements() {
     return all;
 }
 
+/// Adds, for each of 1, 2 and 3 dimensions, the names that of.operator()<Dim>() gives.
+template <class Of> Notes with_dimensions(Of of) {
+    Notes notes;
+    for (const auto& name : of.template operator()<1>()) notes.add(name, "1D");
+    for (const auto& name : of.template operator()<2>()) notes.add(name, "2D");
+    for (const auto& name : of.template operator()<3>()) notes.add(name, "3D");
+    return notes;
+}
+
 Json kernels() {
-    std::map<std::string_view, std::string> dimensions;
-    const auto add = [&](const auto& names, const char* dimension) {
-        for (const std::string_view name : names) dimensions[name] += dimension;
-    };
-    add(plumbline::AllKernels::names<1>(), " 1D");
-    add(plumbline::AllKernels::names<2>(), " 2D");
-    add(plumbline::AllKernels::names<3>(), " 3D");
+    const Notes kernels = with_dimensions([]<int Dim>() {
+        const auto names = plumbline::AllKernels::names<Dim>();
+        return std::vector<std::string>(names.begin(), names.end());
+    });
     Json all = Json::array();
-    for (const auto& [name, where] : dimensions)
-        all.push_back(row(std::string(name), "solver/kernels", "kernel in" + where));
+    for (const auto& [name, where] : kernels.entries)
+        all.push_back(row(name, "solver/kernels", "kernel in " + where));
+    all.push_back(
+        row("anisotropic", "solver/kernels",
+            "any of these in 2D or 3D, seen through a linear map G: kernel NAME --map G"));
     return all;
 }
 
 Json samplings() {
+    std::map<std::string, std::string> says;
+    const Notes samplings = with_dimensions([&]<int Dim>() {
+        std::vector<std::string> names;
+        for (const auto& s : plumbline::samplings<Dim>()) {
+            names.emplace_back(s.name);
+            says[names.back()] = s.says;
+        }
+        return names;
+    });
     Json all = Json::array();
-    for (const auto& s : plumbline::samplings<3>())
-        all.push_back(row(std::string(s.name), "solver/particles", std::string(s.says)));
+    for (const auto& [name, where] : samplings.entries)
+        all.push_back(row(name, "solver/particles", fmt::format("{}, {}", where, says.at(name))));
+    all.push_back(
+        row("inside a closed mesh", "solver/particles",
+            "any of those in 3D, kept where a mesh contains it: sample NAME --inside MESH"));
     return all;
+}
+
+Json methods() {
+    Json all = Json::array();
+    for (const NamedMethod& m : reports::methods())
+        all.push_back(row(m.name, m.source, "approximate: " + m.says));
+    Notes compared;
+    for (const auto quantity : {verification::Quantity::value, verification::Quantity::gradient,
+                                verification::Quantity::laplacian})
+        for (const std::string& name : benchmarks::methods_compared(quantity, 3))
+            compared.add(name, task_of(quantity));
+    for (const std::string& task : benchmarks::fluid_tasks())
+        for (const std::string& name : benchmarks::fluid_methods(task)) compared.add(name, task);
+    for (const auto& [name, tasks] : compared.entries)
+        all.push_back(row(name, "benchmarks", "frontier " + tasks));
+    return all;
+}
+
+Json searches() {
+    using namespace benchmarks;
+    Json all = Json::array();
+    all.push_back(row(std::string(plumbline::BruteForce<3>::name), "solver/neighbours",
+                      "all pairs; what the others are checked against"));
+    const auto add = [&](const auto& makers, const char* where, const char* what) {
+        for (const auto& maker : makers)
+            all.push_back(row(maker.name, where, what + maker.make()->form()));
+    };
+    add(our_contestants<3>(), "solver/neighbours", "2D, 3D; ");
+    add(library_contestants<3>(), "benchmarks/neighbours", "2D, 3D, a rival library; ");
+    return all;
+}
+
+Json validations() {
+    std::vector<verification::Claim> against_experiment;
+    for (const verification::Claim& claim : verification::claims())
+        if (std::ranges::count(claim.tags, "validation") > 0) against_experiment.push_back(claim);
+    return described(against_experiment);
 }
 
 Json scenes() {
@@ -81,8 +161,11 @@ struct Kind {
 constexpr Kind kinds[] = {{"claims", [] { return described(verification::claims()); }},
                           {"studies", [] { return described(verification::studies()); }},
                           {"maps", [] { return described(verification::maps()); }},
+                          {"validations", validations},
                           {"errata", errata},
                           {"statements", statements},
+                          {"methods", methods},
+                          {"searches", searches},
                           {"kernels", kernels},
                           {"samplings", samplings},
                           {"scenes", scenes}};
@@ -99,20 +182,23 @@ ExitCode list(const Options& options) {
     if (options.json == "-") return ExitCode::ok;
     for (const auto& [kind, rows] : all.items())
         for (const Json& r : rows)
-            fmt::print("{:<10} {:<60} {:<30} {}\n", kind, r["id"].get<std::string>(),
+            fmt::print("{:<11} {:<60} {:<30} {}\n", kind, r["id"].get<std::string>(),
                        r["source"].get<std::string>(), r["says"].get<std::string>());
     return ExitCode::ok;
 }
 
 const RegisterCommand command{
-    {"list", "what there is: claims, studies, maps, errata, statements, kernels, samplings, scenes",
+    {"list",
+     "what there is: claims, studies, maps, validations, errata, statements, methods, searches, "
+     "kernels, samplings, scenes",
      [](CommandLine& line) -> std::function<ExitCode()> {
          const auto options = std::make_shared<Options>();
          std::vector<std::string> names;
          for (const Kind& kind : kinds) names.emplace_back(kind.name);
          line.add_option("kind", options->kind, "only this kind").check(one_of(names));
          line.add_option("--json", options->json, "write it to this file, - for stdout")
-             .alone_means("-");
+             .alone_means("-")
+             .check(output_file());
          return [options] { return list(*options); };
      }}};
 }  // namespace

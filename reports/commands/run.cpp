@@ -40,6 +40,7 @@ const RegisterCommand command{
              .excludes(go_on);
          line.add_option("--json", options->run.json,
                          "write the manifest to this file, too, - for stdout")
+             .alone_means("-")
              .check(output_file());
          return [options] { return run(*options); };
      }}};

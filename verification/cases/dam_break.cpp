@@ -116,7 +116,8 @@ const Register claims_of_dam_break{
                            "experiment 0.042 is 2 %, release at ± 0.1 in T at a speed of 1.3 is 6 "
                            "%, and the friction of floor and gate is not modelled"),
           .measure = [] { return deviation_of_front(false); },
-          .sabotaged = [] { return deviation_of_front(true); }},
+          .sabotaged = [] { return deviation_of_front(true); },
+          .tags = {"validation"}},
     Claim{.id = "dam_break.shape_of_incompressible_front",
           .source = {Paper::literature, "Martin and Moyce 1952, Table 6"},
           .says =
@@ -127,7 +128,8 @@ const Register claims_of_dam_break{
                            "experiment 2 %, a shift found to ± 0.025 at a speed of 1.3 is 1.5 "
                            "%: 2.9 % together, and twice that for what floor and gate do"),
           .measure = [] { return deviation_of_shape(false); },
-          .sabotaged = [] { return deviation_of_shape(true); }},
+          .sabotaged = [] { return deviation_of_shape(true); },
+          .tags = {"validation"}},
     Claim{.id = "dam_break.is_validated",
           .source = {Paper::literature, "Martin and Moyce 1952; ASME V&V 20"},
           .says =
@@ -135,7 +137,8 @@ const Register claims_of_dam_break{
               "of a release at ± 0.1 in T",
           .bound = at_most(1.0, "within the uncertainty of both, no error of the model is seen"),
           .measure = [] { return validation_metric(false); },
-          .sabotaged = [] { return validation_metric(true); }}};
+          .sabotaged = [] { return validation_metric(true); },
+          .tags = {"validation"}}};
 
 double front_error(int particles_per_base, DamBreak<2> how) {
     const Experiment experiment;

@@ -1,8 +1,10 @@
 #include "reports/approximation/point_values.h"
 #include "solver/foundation/errors.h"
+#include "verification/reports/program.h"
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -126,6 +128,35 @@ TEST_CASE("approximate: bad input is refused with a reason") {
     CHECK_THROWS_AS(values(grid(), "x,y,z\n0.5,0.5,0\n", "sph"), InvalidInput);
     CHECK_THROWS_AS(values("x,y\n0,0\n", at, "sph"), InvalidInput);
     CHECK_THROWS_AS(values("x,y,f\n0,0,nan\n", at, "sph"), InvalidInput);
+}
+
+TEST_CASE("plumbline approximate: JSON has a schema, where it comes from, and null for no number") {
+    const verification::ScratchFolder folder;
+    folder.write("samples.csv", grid());
+    folder.write("at.csv", "x,y\n0.5,0.52\n9,9\n");
+    const auto run = run_plumbline(
+        folder, {"approximate", "--samples", "samples.csv", "--at", "at.csv", "--method", "mls:2",
+                 "--kernel", "poly6", "--support", "0.28", "--json", "out.json"});
+    REQUIRE(run.exit_code == 0);
+    CHECK(run.out.starts_with("x,y,value,d_x,d_y,laplacian,status\n"));
+    const auto json = nlohmann::json::parse(folder.read("out.json"));
+    CHECK(json.at("schema") == "plumbline.approximate/1");
+    CHECK(
+        json.at("provenance").at("command_line").get<std::string>().starts_with("plumbline appr"));
+    const auto& result = json.at("approximate");
+    CHECK(result.at("method") == "mls:2");
+    CHECK(result.at("points").at(0).at("value").get<double>() == Approx(field(0.5, 0.52)));
+    CHECK(result.at("points").at(1).at("status") == "no_neighbours");
+    CHECK(result.at("points").at(1).at("value").is_null());
+}
+
+TEST_CASE("approximate: every method that is listed has its own name, and is read") {
+    for (const NamedMethod& known : methods()) {
+        CHECK(parse_method(known.name).family == known.method.family);
+        CHECK(parse_method(known.name).order == known.method.order);
+        CHECK_FALSE(known.says.empty());
+    }
+    CHECK(methods().size() == 11);  // sph, shepard, mueller and two families of four orders
 }
 
 }  // namespace approximate_test

@@ -21,6 +21,7 @@ const std::vector<std::pair<std::string, std::string>> files{
     {"header_only.csv", "x,y,f\n"},
     {"no_y.csv", "x,f\n0,1\n"},
     {"twice.csv", "x,y,x\n0,1,2\n"},
+    {"no_header.csv", "# points\n0,0,1\n1,0,2\n"},
     {"word.csv", "x,y,f\n0,0,1\n1,zero,1\n"},
     {"nan.csv", "x,y,f\n0,nan,1\n"},
     {"infinite.csv", "x,y,f\n0,0,inf\n"},
@@ -51,6 +52,11 @@ std::vector<std::string> approximate(const std::string& option, const std::strin
         arguments.push_back(name);
         arguments.push_back(option == name ? value : good);
     }
+    return arguments;
+}
+std::vector<std::string> extended(std::vector<std::string> arguments,
+                                  const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
 std::vector<std::string> samples(const std::string& file) { return approximate("--samples", file); }
@@ -141,6 +147,7 @@ const std::vector<BadInput> table{
     {{"kernel", "poly6", "--at", "1e400"},
      "expected numbers r1,r2,..., found \"1e400\" as number 1"},
     {{"kernel", "poly6", "--at", "-1"}, "expected radii r >= 0, found -1"},
+    {{"kernel", "poly6", "--json", "no/folder.json"}, "its folder does not exist"},
     {{"kernel", "poly6", "--at", "nan"}, "expected radii r >= 0, found nan"},
 
     {samples("nowhere.csv"), "nowhere.csv: expected a readable file, found none of that name"},
@@ -150,6 +157,9 @@ const std::vector<BadInput> table{
     {samples("no_y.csv"),
      "no_y.csv:1:1: expected a header x,y[,z][,further columns] with a column \"y\""},
     {samples("twice.csv"), "twice.csv:1:"},
+    {samples("no_header.csv"),
+     "no_header.csv:2:1: expected a header that names the columns before the first point: x,y or "
+     "x,y,z"},
     {samples("word.csv"), "word.csv:3:3: expected a finite number, found \"zero\""},
     {samples("nan.csv"), "nan.csv:2:3: expected a finite number, found \"nan\""},
     {samples("infinite.csv"), "infinite.csv:2:5: expected a finite number, found \"inf\""},
@@ -167,6 +177,9 @@ const std::vector<BadInput> table{
     {approximate("--method", "mls:4"), "found \"mls:4\""},
     {approximate("--method", "splines"), "expected sph, shepard, mls:N, mlsph:N"},
     {approximate("--kernel", "top_hat"), "no kernel \"top_hat\" in 2D; expected one of: "},
+    {approximate("--kernel", "singular"),
+     "sph: expected a kernel that is finite at 0, found \"singular\""},
+    {extended(approximate("", ""), {"--json", "no/folder.json"}), "its folder does not exist"},
     {approximate("--support", "0"), "expected a positive, finite support, found 0"},
     {approximate("--support", "-1"), "expected a positive, finite support, found -1"},
     {approximate("--support", "nan"), "expected a positive, finite support, found nan"},

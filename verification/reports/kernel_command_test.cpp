@@ -1,7 +1,9 @@
 #include "reports/commands/kernel.h"
 #include "solver/foundation/errors.h"
+#include "verification/reports/program.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>
@@ -53,6 +55,63 @@ TEST_CASE("numbers_of reads a list, and says which item is no number") {
                          Message("--at: expected numbers r1,r2,..., found \"abc\" as number 2"));
     for (const char* wrong : {"", ",", "1,", "1,,2", "1;2", "0x", "1.5m", " 1"})
         CHECK_THROWS_AS(numbers_of(wrong), InvalidInput);
+}
+
+TEST_CASE("anisotropic_table is the kernel seen through a map, of the same integral") {
+    // G = ((2, 1), (0, 1)) takes (x, y) to (2 x + y, y); |det G| = 2.
+    const std::vector<double> map{2, 1, 0, 1}, at{0.1, 0.2};
+    const auto rows = reports::anisotropic_table("poly6", 2, 1.0, map, at);
+    REQUIRE(rows.size() == 1);
+    const double r = std::hypot(0.4, 0.2);
+    const auto radial = kernel_table("poly6", 2, 1.0, {r})[0];
+    CHECK(rows[0].value == Approx(2.0 * radial.value).epsilon(1e-14));
+    const double slope = radial.derivative / r;  // the gradient is 2 Gᵀ (0.4, 0.2) ω′/r
+    CHECK(rows[0].gradient[0] == Approx(2.0 * slope * 0.8).epsilon(1e-14));
+    CHECK(rows[0].gradient[1] == Approx(2.0 * slope * 0.6).epsilon(1e-14));
+    const auto value = [&](double x, double y) {
+        return reports::anisotropic_table("poly6", 2, 1.0, map, {x, y})[0].value;
+    };
+    constexpr double step = 1e-4;  // f‴′ step² / 12 is some 1e-6 of it
+    const double differences =
+        (value(0.1 + step, 0.2) + value(0.1 - step, 0.2) + value(0.1, 0.2 + step) +
+         value(0.1, 0.2 - step) - 4.0 * value(0.1, 0.2)) /
+        (step * step);
+    CHECK(rows[0].laplacian == Approx(differences).epsilon(1e-4));
+}
+
+TEST_CASE("anisotropic_table refuses matrices and points that are none") {
+    using reports::anisotropic_table;
+    CHECK_THROWS_MATCHES(anisotropic_table("poly6", 2, 1, {1, 0, 0}, {0, 0}), InvalidInput,
+                         Message("--map: expected 4 numbers, found 3"));
+    CHECK_THROWS_MATCHES(anisotropic_table("poly6", 3, 1, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0}),
+                         InvalidInput,
+                         Message("--at: expected 3 numbers for each point, found 2 in all"));
+    CHECK_THROWS_MATCHES(anisotropic_table("poly6", 1, 1, {1}, {0}), InvalidInput,
+                         Message("--map: expected a dimension of 2 or 3, found 1"));
+    CHECK_THROWS_AS(anisotropic_table("poly6", 2, 1, {1, 1, 1, 1}, {0, 0}), InvalidInput);
+    CHECK_THROWS_AS(anisotropic_table("poly6", 2, 1, {1, 0, 0, 1}, {0, HUGE_VAL}), InvalidInput);
+}
+
+TEST_CASE(
+    "plumbline kernel: JSON has a schema, where it comes from, and a word for what is infinite") {
+    const verification::ScratchFolder folder;
+    const auto run =
+        run_plumbline(folder, {"kernel", "singular", "--support", "2", "--at", "0,1", "--json"});
+    REQUIRE(run.exit_code == 0);
+    const auto json = nlohmann::json::parse(run.out);
+    CHECK(json.at("schema") == "plumbline.kernel/1");
+    CHECK(json.at("provenance").contains("version"));
+    const auto& rows = json.at("kernel").at("rows");
+    CHECK(rows.at(0).at("value") == "inf");
+    CHECK(rows.at(1).at("value").get<double>() == kernel_table("singular", 2, 2.0, {1.0})[0].value);
+    const auto list =
+        nlohmann::json::parse(run_plumbline(folder, {"kernel", "--list", "--json"}).out);
+    CHECK(list.at("schema") == "plumbline.kernels/1");
+    CHECK(list.at("kernels").at("names").size() >= 11);
+    const auto seen =
+        run_plumbline(folder, {"kernel", "poly6", "--map", "2,0,0,1", "--at", "0,0", "--json"});
+    CHECK(nlohmann::json::parse(seen.out).at("kernel").at("rows").at(0).at("value").get<double>() ==
+          Approx(2.0 * kernel_table("poly6", 2, 1.0, {0.0})[0].value));
 }
 
 }  // namespace kernel_command_test
