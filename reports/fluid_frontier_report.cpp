@@ -75,7 +75,8 @@ Chart chart_of(const FluidFrontier& frontier) {
             series->y.push_back(c.error);
         }
     }
-    Chart::Series front{.name = "Pareto front", .x = {}, .y = {}, .style = {}};
+    Chart::Series front{
+        .name = "Pareto front", .x = {}, .y = {}, .style = Chart::Series::black, .markers = false};
     for (const std::size_t k :
          benchmarks::pareto_front_of(frontier.candidates, &FluidCandidate::seconds)) {
         front.x.push_back(frontier.candidates[k].seconds);

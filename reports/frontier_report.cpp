@@ -17,8 +17,6 @@ using benchmarks::PrecomputedRatio;
 using verification::Quantity;
 
 namespace {
-constexpr int black = 9;  // of style_of
-
 constexpr std::array quantities{Quantity::value, Quantity::gradient, Quantity::laplacian};
 
 std::vector<std::string> methods_of(const Frontier& frontier) {
@@ -94,7 +92,8 @@ Chart field_chart(const Frontier& frontier) {
         chart.series.push_back(series_of(method, frontier, number++, [](const Candidate& c) {
             return std::optional(c.per_field_s());
         }));
-    Chart::Series front{.name = "Pareto front", .x = {}, .y = {}, .style = black, .markers = false};
+    Chart::Series front{
+        .name = "Pareto front", .x = {}, .y = {}, .style = Chart::Series::black, .markers = false};
     for (const std::size_t k : pareto_front(frontier.candidates, &Candidate::per_field_s)) {
         front.x.push_back(frontier.candidates[k].per_field_s());
         front.y.push_back(frontier.candidates[k].error);
@@ -109,9 +108,11 @@ std::string precomputed_finding(const Frontier& frontier) {
             return fmt::format(
                 "computed once, {} takes {:.2f} times as long as SPH computed once: \"as efficient "
                 "as "
-                "SPH\" {}; {:.2f} of an SPH sum evaluated anew; paid back after {} evaluations",
-                r.method, r.over_precomputed_sph.median, r.verdict, r.over_sph_sum.median,
-                evaluations(r.pays_over_itself));
+                "SPH\" {} within the noise of {:.0f} %; {:.2f} of an SPH sum, over which it is "
+                "paid "
+                "back after {} evaluations",
+                r.method, r.over_precomputed_sph.median, r.verdict, 100.0 * frontier.noise,
+                r.over_sph_sum.median, evaluations(r.pays_over_sph));
     return "no method with shape functions computed once";
 }
 
@@ -234,9 +235,7 @@ std::vector<NamedChart> charts_of(const Frontier& frontier) {
 }
 
 std::string evaluations(double count) {
-    if (!(count < HUGE_VAL)) return "never";
-    return count < 10.0 ? fmt::format("{:.0f}", std::ceil(count))
-                        : benchmarks::factor_in_words(std::ceil(count));
+    return count < HUGE_VAL ? benchmarks::factor_in_words(count) : "never";
 }
 
 std::string candidates_csv(const Json& frontier) {

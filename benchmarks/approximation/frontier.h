@@ -88,9 +88,9 @@ std::vector<std::size_t> pareto_front(const std::vector<Candidate>& candidates,
 std::vector<PrecomputedRatio> precomputed_ratios(const std::vector<Candidate>& candidates,
                                                  double noise);
 
-/// "MLS 2 is 40x cheaper than SPH Eq. 3 at 1e-02": per field, at the smallest error of the series 1,
-/// 2, 5, 10 that SPH attains; below `noise`, "cannot tell". Where each kind ends, and up to which h/spacing
-/// that was looked for.
+/// "at 1e-02 MLS 2 is 40x cheaper than SPH Eq. 3": per field, at the smallest error of the series 1, 2, 5, 10
+/// that SPH attains, and at ten times that, where most methods do; below `noise`, "cannot tell". Up to which
+/// h/spacing and number of samples that was looked for, and what the others attain.
 std::string finding_of(const std::vector<Candidate>& candidates, double noise);
 
 }  // namespace benchmarks

@@ -61,11 +61,32 @@ double upper_median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-double widest_support_of_sph(const std::vector<Candidate>& candidates) {
+/// " up to h/dx = 6 and 27 samples per metre"
+std::string extent_of_sph(const std::vector<Candidate>& candidates) {
     double widest = 0.0;
-    for (const Candidate& c : candidates)
-        if (is_sph(c)) widest = std::max(widest, c.support_in_spacings);
-    return widest;
+    int most = 0;
+    for (const Candidate& c : candidates) {
+        if (!is_sph(c)) continue;
+        widest = std::max(widest, c.support_in_spacings);
+        most = std::max(most, c.samples_per_metre);
+    }
+    return fmt::format(" up to h/dx = {:g} and {} samples per metre", widest, most);
+}
+
+/// Which kind reaches the error `target` for less time.
+std::string cheaper_at(const std::vector<Candidate>& candidates, double target, double noise) {
+    const Candidate* a = cheapest(candidates, target, is_sph);
+    const Candidate* b =
+        cheapest(candidates, target, [](const Candidate& c) { return !is_sph(c); });
+    if (!b) return fmt::format("at {:.0e} only {} answers", target, a->method);
+    const double ratio = a->per_field_s() / b->per_field_s();
+    const auto [cheap, dear] = ratio >= 1.0 ? std::pair(b, a) : std::pair(a, b);
+    const double factor = std::max(ratio, 1.0 / ratio);
+    if (factor <= 1.0 + noise)
+        return fmt::format("at {:.0e} this machine cannot tell whether {} or {} is cheaper", target,
+                           cheap->method, dear->method);
+    return fmt::format("at {:.0e} {} is {}x cheaper than {}", target, cheap->method,
+                       factor_in_words(factor), dear->method);
 }
 
 /// The candidates that were timed in turns, on the same neighbours.
@@ -93,10 +114,13 @@ std::vector<PrecomputedRatio> precomputed_ratios(const std::vector<Candidate>& c
     std::map<std::string, Ratios> ratios;
     for (const auto& [key, group] : by_situation(candidates)) {
         const Candidate& sph = *group.front();  // Eq. 3, 9 or 11: the plain sum
-        if (!is_sph(sph) || !sph.application) continue;
+        const auto compared = [](const Candidate* c) {
+            return !is_sph(*c) && c->application && !c->failed();
+        };
+        if (!is_sph(sph) || !sph.application || std::ranges::none_of(group, compared)) continue;
         const double sum = sph.evaluation.median_s;
         for (const Candidate* c : group) {
-            if (!c->application) continue;
+            if (!c->application || c->failed()) continue;
             const double once = c->precomputation->median_s, applied = c->application->median_s;
             Ratios& r = ratios[c->method];
             r.sph = is_sph(*c);
@@ -122,29 +146,12 @@ std::string finding_of(const std::vector<Candidate>& candidates, double noise) {
     const Candidate *sph = most_accurate(candidates, true),
                     *best = most_accurate(candidates, false);
     if (!sph || !best) return "no method of both kinds gave an answer: nothing to compare";
-    const double target = round_up(sph->error);
-    const Candidate* a = cheapest(candidates, target, is_sph);
-    const Candidate* b =
-        cheapest(candidates, target, [](const Candidate& c) { return !is_sph(c); });
-    std::string finding;
-    if (!b) {
-        finding = fmt::format("only SPH reaches {:.0e}, {} for {:.1e} s", target, a->method,
-                              a->per_field_s());
-    } else {
-        const double ratio = a->per_field_s() / b->per_field_s();
-        const auto [cheap, dear] = ratio >= 1.0 ? std::pair(b, a) : std::pair(a, b);
-        const double factor = std::max(ratio, 1.0 / ratio);
-        if (factor <= 1.0 + noise)
-            finding = fmt::format("whether {} or {} is cheaper at {:.0e}, this machine cannot tell",
-                                  b->method, a->method, target);
-        else
-            finding = fmt::format("{} is {}x cheaper than {} at {:.0e}", cheap->method,
-                                  factor_in_words(factor), dear->method, target);
-    }
+    const double least = round_up(sph->error);
+    std::string finding = cheaper_at(candidates, 10.0 * least, noise) + "; " +
+                          cheaper_at(candidates, least, noise) + ", the least of SPH" +
+                          extent_of_sph(candidates);
     if (best->error < 0.5 * sph->error)
-        finding +=
-            fmt::format("; up to h/dx = {:g} SPH ends at {:.0e}, {} at {:.0e}",
-                        widest_support_of_sph(candidates), sph->error, best->method, best->error);
+        finding += fmt::format("; {} reaches {:.0e}", best->method, best->error);
     return finding;
 }
 

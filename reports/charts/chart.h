@@ -29,6 +29,7 @@ struct Chart {
             {};                         // x [unit of the axis] where the method failed: crossed out
         bool joined = true;             // by a line, in the order given
         std::optional<int> style = {};  // the index to take instead of its own
+        static constexpr int black = 9;        // such an index
         std::vector<std::string> labels = {};  // beside each point; empty: none
         std::vector<Outline> outlines = {};    // closed curves around its points: their spread
         bool markers = true;                   // on the line; without them it is a curve

@@ -172,8 +172,10 @@ Blocks blocks_of(const Chart::Series& s, const Frame& frame) {
     return blocks;
 }
 
+constexpr int plus = 1, star = 3;  // of gnuplot
+
 /// gnuplot has the outline of each filled marker before it.
-int outline_of(int marker) { return marker % 2 == 1 && marker >= 5 ? marker - 1 : marker; }
+int outline_of(int marker) { return marker == star ? plus : marker - 1; }
 
 /// The parts of the plot command of one series.
 std::vector<std::string> plots_of(const Chart::Series& s, int index, const Blocks& blocks) {
@@ -240,12 +242,12 @@ SeriesStyle style_of(int index) {
     static const std::array<const char*, 10> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                      "#E69F00", "#56B4E9", "#770000", "#330077",
                                                      "#77BB55", "#000000"};
-    // Filled ones, whose outlines are free for another use, then signs of lines.
-    static const std::array<int, 7> markers{7, 5, 9, 13, 11, 15, 3};
+    // Filled ones, whose outlines are free for another use, then a sign of lines.
+    static const std::array<int, 7> markers{7, 5, 9, 13, 11, 15, star};
     static const std::array<const char*, 4> dashes{"1", "(9,4)", "(2,3)", "(12,3,2,3)"};
     const auto k = static_cast<std::size_t>(std::max(index, 0));
     return {colours[k % colours.size()], markers[k % markers.size()],
-            dashes[(k + k / colours.size()) % dashes.size()]};
+            dashes[(k + 2 * (k / markers.size())) % dashes.size()]};
 }
 
 /// Beside the plot, unless a long name would leave it no width; then below, on more paper.

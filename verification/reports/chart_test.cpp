@@ -74,13 +74,22 @@ TEST_CASE("a chart with lists of different lengths, or with nothing to show, is 
                     plumbline::InvalidInput);
 }
 
-TEST_CASE("the first 32 series can be told apart without colour") {
-    std::set<std::tuple<std::string, int, std::string>> styles;
-    for (int k = 0; k < 32; ++k) {
-        const auto s = reports::style_of(k);
-        styles.emplace(s.colour, s.marker, s.dash);
+TEST_CASE("the first 28 series can be told apart without colour") {
+    std::set<std::pair<int, std::string>> styles;
+    for (int k = 0; k < 28; ++k)
+        styles.emplace(reports::style_of(k).marker, reports::style_of(k).dash);
+    CHECK(styles.size() == 28);
+}
+
+TEST_CASE("a series of outlines is told apart from each filled one") {
+    for (int k = 0; k < 7; ++k) {
+        Chart chart = example();
+        chart.series.resize(1);
+        chart.series[0].style = k;
+        const std::string filled = reports::gnuplot_script(chart, {"a.svg", "a.png", "a.csv"});
+        chart.series[0].open = true;
+        CHECK(reports::gnuplot_script(chart, {"a.svg", "a.png", "a.csv"}) != filled);
     }
-    CHECK(styles.size() == 32);
 }
 
 TEST_CASE("the first ten series have ten colours") {
