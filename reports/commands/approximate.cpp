@@ -28,9 +28,10 @@ std::span<const double> coordinates(const PointFile& points, std::size_t i) {
 
 void write_csv(const PointFile& at, const std::vector<PointValue>& values) {
     const auto dim = static_cast<std::size_t>(at.dim);
-    std::vector<std::string> header(axes, axes + dim);
+    const auto names = std::span(axes).first(dim);
+    std::vector<std::string> header(names.begin(), names.end());
     header.push_back("value");
-    for (std::size_t d = 0; d < dim; ++d) header.push_back(fmt::format("d_{}", axes[d]));
+    for (const std::string axis : names) header.push_back("d_" + axis);
     header.insert(header.end(), {"laplacian", "status"});
     plumbline::CsvWriter csv(std::cout, header);
     const auto add = [&](const std::optional<double>& number) {

@@ -84,7 +84,8 @@ ExitCode doctor(const std::string& json) {
     }
     if (json != "-") print(found);
     for (const Json& tool : found["tools"])
-        if (tool["required"] && tool["version"] == "") return ExitCode::check_failed;
+        if (tool["required"] && tool["version"].get<std::string>().empty())
+            return ExitCode::check_failed;
     return ExitCode::ok;
 }
 

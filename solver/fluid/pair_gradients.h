@@ -97,7 +97,7 @@ struct CollectGradients {
             double squares = 0.0;
             const Vec<dim> fluid =
                 near.template sum<Vec<dim>>(x, i, [&](const auto& n) -> Vec<dim> {
-                    const Vec<dim> g = m[n.j] * gradient(w, n);
+                    Vec<dim> g = m[n.j] * gradient(w, n);
                     squares += m[i] / m[n.j] * g.squaredNorm();
                     row.add(n.j, g);
                     return g;
@@ -105,7 +105,7 @@ struct CollectGradients {
             double flow = 0.0;
             pairs.walls[i] =
                 near_ghosts.template sum<Vec<dim>>(x, i, ghosts, [&](const auto& n) -> Vec<dim> {
-                    const Vec<dim> g = m_ghost[n.j] * gradient(w, n);
+                    Vec<dim> g = m_ghost[n.j] * gradient(w, n);
                     flow += g.dot(v_ghost[n.j]);
                     return g;
                 });

@@ -19,7 +19,7 @@ public:
     static constexpr int dim = K::dim;
 
     /// `g`: dimensionless, finite and invertible, or InvalidInput is thrown.
-    Anisotropic(const K& w, const Mat<dim>& g) : w_{w}, g_{g}, det_{std::abs(g.determinant())} {
+    Anisotropic(const K& w, const Mat<dim>& g) : g_{g}, det_{std::abs(g.determinant())}, w_{w} {
         if (!g.allFinite() || !(det_ > 0.0))
             throw InvalidInput("Anisotropic: expected a finite, invertible matrix G");
         support_ = w.support() * norm_of_inverse<dim>(g);
@@ -41,9 +41,9 @@ public:
     double laplacian(const Vec<dim>& x) const { return hessian(x).trace(); }
 
 private:
-    K w_;
     Mat<dim> g_;
     double det_, support_;
+    K w_;
 };
 
 }  // namespace plumbline

@@ -140,7 +140,7 @@ const Register claims_of_dam_break{
           .sabotaged = [] { return validation_metric(true); },
           .tags = {"validation"}}};
 
-double front_error(int particles_per_base, DamBreak<2> how) {
+double front_error(int particles_per_base, const DamBreak<2>& how) {
     const Experiment experiment;
     return deviation(weakly_compressible(particles_per_base, experiment.T, false, how),
                      experiment.Z);
@@ -153,7 +153,7 @@ double front_error(int particles_per_base, double support, double courant) {
 }  // namespace
 }  // namespace dam_break_claims
 
-double verification::error_of_front(int particles_per_base, DamBreak<2> how) {
+double verification::error_of_front(int particles_per_base, const DamBreak<2>& how) {
     return dam_break_claims::front_error(particles_per_base, how);
 }
 double verification::error_of_front(int particles_per_base, double support, double courant) {

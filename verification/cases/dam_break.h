@@ -81,6 +81,6 @@ template <int Dim, class Scene> double front(const Scene& scene) {
 
 /// √ mean (Z/Z_D − 1)² over the fronts of Martin and Moyce 1952, n² = 2, in the plane; the tank, the water and the
 /// spacing are set, what else `how` has is taken.
-double error_of_front(int particles_per_base, DamBreak<2> how);
+double error_of_front(int particles_per_base, const DamBreak<2>& how);
 
 }  // namespace verification

@@ -22,7 +22,7 @@ std::string_view name_of(Norm norm);
 struct Approximation {
     Quantity quantity;
     std::string_view method;
-    auto operator<=>(const Approximation&) const = default;
+    auto operator<=>(const Approximation&) const = default;  // NOLINT(modernize-use-nullptr): its 0
 };
 
 /// A sample set with the test function sampled on it.

@@ -33,7 +33,7 @@ struct SampleSetup {
     std::uint64_t seed;
     MeasuredAt measured_at = MeasuredAt::samples;
     StudyKernel kernel = StudyKernel::poly6;
-    auto operator<=>(const SampleSetup&) const = default;
+    auto operator<=>(const SampleSetup&) const = default;  // NOLINT(modernize-use-nullptr): its 0
 };
 
 /// Samples of one study at one level, and those of them at which errors are measured.

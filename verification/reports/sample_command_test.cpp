@@ -56,7 +56,8 @@ TEST_CASE("plumbline sample says what is wrong with it") {
         {{"sample", "lattice", "--count", "0"}, "Value 0 not in range 1 to"},
         {{"sample", "lattice", "--inside", "corner.obj"}, "expected --dim 3 beside it, found 2"},
         {{"sample", "lattice", "--dim", "3", "--inside", "nowhere.obj"}, "nowhere.obj"},
-        {{"sample", "lattice", "--dim", "3", "--inside", "open.obj"}, "expected"},
+        {{"sample", "lattice", "--dim", "3", "--inside", "open.obj"},
+         "expected a closed surface, found "},
         {{"sample", "lattice", "--json", "no/folder.json"}, "its folder does not exist"}};
     for (const auto& [arguments, message] : table) {
         const ProgramRun run = run_plumbline(folder, arguments);
