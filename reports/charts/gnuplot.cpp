@@ -247,7 +247,7 @@ SeriesStyle style_of(int index) {
     static const std::array<const char*, 4> dashes{"1", "(9,4)", "(2,3)", "(12,3,2,3)"};
     const auto k = static_cast<std::size_t>(std::max(index, 0));
     return {colours[k % colours.size()], markers[k % markers.size()],
-            dashes[(k + 2 * (k / markers.size())) % dashes.size()]};
+            dashes[(2 * k + k / markers.size()) % dashes.size()]};
 }
 
 /// Beside the plot, unless a long name would leave it no width; then below, on more paper.
