@@ -85,7 +85,7 @@ TEST_CASE(
     Json json = reports::json_of(frontier);
     json["charts"] = Json::array();
     Json report = small_report();
-    report["frontiers"] = {json};
+    report["frontiers"] = Json::array({json});
     const auto charts = std::filesystem::temp_directory_path() / "plumbline_page_frontier_test";
     std::filesystem::remove_all(charts);
     const std::string page = reports::page_of(report, charts);
