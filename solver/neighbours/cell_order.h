@@ -15,6 +15,15 @@ struct GroupOfCells {
     Index first, last;
 };
 
+/// The cells of one row, and where their points begin: those of column first_column + c at starts[c],
+/// 0 ≤ c < columns, and at starts[columns] they end. Without a table starts is null, and the row's
+/// cells first_cell .. last_cell are to be searched.
+struct RowOfCells {
+    const Index* starts;
+    std::int64_t first_column, columns;
+    Index first_cell = 0, last_cell = 0;
+};
+
 /// Points sorted by cell: row after row, in a row by column, in a cell as given. Only cells and rows
 /// that hold points are kept. O(n): by counting if the grid has at most a few cells per point, else
 /// digit by digit.
@@ -30,13 +39,14 @@ public:
         size_ = n;
         order_.resize(n + room_beyond);
         clear_cells();
-        constexpr double cells_per_point = 4.0;
-        has_table_ = frame.cell_count() <= cells_per_point * static_cast<double>(n) + 64.0;
+        const double most = most_entries();
+        has_table_ = frame.cell_count() <= most;
         if (has_table_)
             sort_by_counting(frame, points);
         else
             sort_by_digits(frame, points);
         close_cells();
+        if (!has_table_) make_tables(most);
         for (int axis = 0; axis < Dim; ++axis) x_[axis].resize(n + room_beyond);
         parallel_for_parts(n, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k)
@@ -93,16 +103,39 @@ public:
 
     /// Whether there is a table of all cells, empty ones too: if the grid has at most a few per point.
     bool has_table() const { return has_table_; }
-    /// Where the points of any cell of the table end, and those of the next one begin.
-    Index end_in_table(std::uint64_t cell) const { return start_[cell]; }
+    /// Any row of the table, by its number.
+    RowOfCells row_in_table(std::uint64_t number) const {
+        const auto columns = static_cast<std::int64_t>(columns_);
+        return {start_.data() + number * columns_, 0, columns};
+    }
+    /// Row r of those that hold points.
+    RowOfCells row_of_cells(std::size_t r) const {
+        const Index first = first_cell_[r], last = first_cell_[r + 1];
+        const std::int64_t least = column_[first];
+        if (row_start_.empty()) return {nullptr, least, 0, first, last};
+        return {start_.data() + row_start_[r], least, column_[last - 1] - least + 1};
+    }
+    /// The first point of a row with a table whose column is not below `column`, or the end of the row.
+    static Index first_point(const RowOfCells& row, std::int64_t column) {
+        return row.starts[std::clamp<std::int64_t>(column - row.first_column, 0, row.columns)];
+    }
+    /// The first cell of a row whose column is not below `column`, or its end; looked for from `cell` on,
+    /// since who asks for one column after the other finds it nearby.
+    Index first_cell(const RowOfCells& row, std::int64_t column, Index cell) const {
+        while (cell > row.first_cell && column_[cell - 1] >= column) --cell;
+        while (cell < row.last_cell && column_[cell] < column) ++cell;
+        return cell;
+    }
 
     std::size_t rows() const { return row_.size(); }
     std::uint64_t row(std::size_t r) const { return row_[r]; }
     /// The cells of a row are first_cell(r) .. first_cell(r + 1).
     Index first_cell(std::size_t r) const { return first_cell_[r]; }
     /// The first row whose number is not below `number`, or rows(); found in O(log distance) from
-    /// `hint`, a row not above it.
+    /// `hint`, if that row is not above it, or in a table of all rows, if those are few.
     std::size_t row_from(std::uint64_t number, std::size_t hint = 0) const {
+        if (!row_table_.empty()) return row_table_[std::min(number, row_.back() + 1)];
+        if (hint >= rows() || row_[hint] > number) hint = 0;
         std::size_t step = 1, low = hint;
         while (low + step < rows() && row_[low + step] < number) low += step, step *= 2;
         const auto first = row_.begin() + static_cast<std::ptrdiff_t>(low);
@@ -120,7 +153,8 @@ public:
     std::size_t memory() const {
         const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
         std::size_t all = bytes(order_) + bytes(column_) + bytes(first_point_) + bytes(row_) +
-                          bytes(first_cell_) + bytes(key_) + bytes(start_);
+                          bytes(first_cell_) + bytes(key_) + bytes(start_) + bytes(row_start_) +
+                          bytes(row_table_);
         for (const auto& coordinate : x_) all += bytes(coordinate);
         return all;
     }
@@ -141,6 +175,8 @@ private:
         first_point_.clear();
         row_.clear();
         first_cell_.clear();
+        row_start_.clear();
+        row_table_.clear();
     }
     void add_cell(std::uint64_t row, std::uint32_t column, Index first_point) {
         if (row_.empty() || row_.back() != row) {
@@ -165,15 +201,44 @@ private:
                 key_[i] = static_cast<Index>(frame.row(cell)) * columns + cell[0];
             }
         });
-        start_.assign(static_cast<std::size_t>(frame.cell_count()) + 1, 0);
-        for (const Index key : key_) ++start_[key + 1];
-        for (std::size_t c = 0; c + 1 < start_.size(); ++c) {
-            if (start_[c + 1] != 0)
-                add_cell(c / columns, static_cast<std::uint32_t>(c % columns), start_[c]);
-            start_[c + 1] += start_[c];
+        columns_ = columns;
+        const auto cells = static_cast<std::size_t>(frame.cell_count());
+        start_.assign(cells + 2, 0);
+        for (const Index key : key_) ++start_[key + 2];
+        for (std::size_t c = 0; c < cells; ++c) {
+            if (start_[c + 2] != 0)
+                add_cell(c / columns, static_cast<std::uint32_t>(c % columns), start_[c + 1]);
+            start_[c + 2] += start_[c + 1];
         }
-        // Each start moves on to the end of its cell.
-        for (std::size_t i = 0; i < n; ++i) order_[start_[key_[i]]++] = static_cast<Index>(i);
+        // The start of each cell stands one place behind, and moves on to that of the next cell.
+        for (std::size_t i = 0; i < n; ++i) order_[start_[key_[i] + 1]++] = static_cast<Index>(i);
+    }
+
+    /// As many as there may be in a table, so that memory and time stay O(n).
+    double most_entries() const { return 4.0 * static_cast<double>(size_) + 64.0; }
+    /// Where the grid is too large for a table of all cells: one of its rows, and for each row that holds
+    /// points one from its first cell to its last, each if it is not too large.
+    void make_tables(double most) {
+        double entries = 0.0;
+        for (std::size_t r = 0; r < rows(); ++r)
+            entries += 2.0 + column_[first_cell_[r + 1] - 1] - column_[first_cell_[r]];
+        if (entries <= most) add_row_starts();
+        if (!row_.empty() && static_cast<double>(row_.back()) + 2.0 <= most) add_row_table();
+    }
+    void add_row_starts() {
+        start_.clear();
+        for (std::size_t r = 0; r < rows(); ++r) {
+            row_start_.push_back(static_cast<Index>(start_.size()));
+            const Index first = first_cell_[r], last = first_cell_[r + 1];
+            for (Index c = first; c < last; ++c)
+                start_.resize(row_start_[r] + column_[c] - column_[first] + 1, first_point_[c]);
+            start_.push_back(first_point_[last]);
+        }
+    }
+    void add_row_table() {
+        for (std::size_t r = 0; r < rows(); ++r)
+            row_table_.resize(row_[r] + 1, static_cast<Index>(r));
+        row_table_.push_back(static_cast<Index>(rows()));
     }
 
     struct Placed {
@@ -217,6 +282,9 @@ private:
     std::vector<std::uint64_t> row_;        // ascending
     std::vector<Index> first_cell_;         // of each row, and the end
     std::vector<Index> key_, start_;        // kept: new memory costs more than the sort
+    std::uint32_t columns_ = 0;             // of the table of all cells
+    std::vector<Index> row_start_;  // of each row in start_, if that holds one table for each
+    std::vector<Index> row_table_;  // of each row number up to the last: the first row from it on
 };
 
 }  // namespace plumbline

@@ -76,40 +76,22 @@ private:
 
     /// The points of some columns of one row.
     struct Run {
-        std::uint64_t row;
-        Index row_begin, row_end;  // cells of the row, where there is no table
-        Index begin = row_begin, end = row_begin;
+        RowOfCells row;
+        Index begin = row.first_cell, end = begin;  // their cells, where the row has no table
         Span points{0, 0};
 
-        void move_to(const Order& order, std::uint64_t columns, std::int64_t first,
-                     std::int64_t last) {
-            if (order.has_table()) return look_up(order, columns, first, last);
-            begin = from(order, begin, first);
-            end = from(order, std::max(begin, end), last + 1);
+        void move_to(const Order& order, std::int64_t first, std::int64_t last) {
+            if (row.starts != nullptr) {
+                points = {Order::first_point(row, first), Order::first_point(row, last + 1)};
+                return;
+            }
+            begin = order.first_cell(row, first, begin);
+            end = order.first_cell(row, last + 1, std::max(begin, end));
             points = {order.first_point(begin), order.first_point(end)};
         }
         /// Those that are not before `least`.
         Span not_before(Index least) const {
             return {std::min(std::max(points.first, least), points.last), points.last};
-        }
-
-    private:
-        void look_up(const Order& order, std::uint64_t columns, std::int64_t first,
-                     std::int64_t last) {
-            first = std::max<std::int64_t>(first, 0);
-            last = std::min<std::int64_t>(last, static_cast<std::int64_t>(columns) - 1);
-            if (first > last) return void(points = {0, 0});
-            const std::uint64_t cell = row * columns;
-            const std::uint64_t before = cell + static_cast<std::uint64_t>(first);
-            points = {before == 0 ? 0 : order.end_in_table(before - 1),
-                      order.end_in_table(cell + static_cast<std::uint64_t>(last))};
-        }
-        /// The first cell of the row whose column is not below `column`, looked for from `cell` on:
-        /// moving keeps the cells already found.
-        Index from(const Order& order, Index cell, std::int64_t column) const {
-            while (cell > row_begin && order.column(cell - 1) >= column) --cell;
-            while (cell < row_end && order.column(cell) < column) ++cell;
-            return cell;
         }
     };
 
@@ -175,15 +157,14 @@ private:
         }
     }
 
-    void add_run(std::uint64_t row) {
-        if (points_.has_table()) return push(Run{row, 0, 0});
+    void add_run(std::uint64_t number) {
+        if (points_.has_table()) return push({points_.row_in_table(number)});
         // The windows of one row after the other look for rows that also follow one another.
         if (hint_used_ == hints_.size()) hints_.push_back(0);
         std::size_t& hint = hints_[hint_used_++];
-        if (hint >= points_.rows() || points_.row(hint) > row) hint = 0;
-        const std::size_t r = hint = points_.row_from(row, hint);
-        if (r == points_.rows() || points_.row(r) != row) return;
-        push(Run{row, points_.first_cell(r), points_.first_cell(r + 1)});
+        const std::size_t r = hint = points_.row_from(number, hint);
+        if (r == points_.rows() || points_.row(r) != number) return;
+        push({points_.row_of_cells(r)});
     }
     /// In a box that wraps, runs come in pairs: the second takes the columns beyond a face.
     void push(const Run& run) {
@@ -202,9 +183,9 @@ private:
                    std::int64_t last_image) {
         for (std::size_t k = 0; k < runs_.size(); ++k) {
             if (Wraps && k % 2 == 1)
-                runs_[k].move_to(points_, frame_.cells(0), first_image, last_image);
+                runs_[k].move_to(points_, first_image, last_image);
             else
-                runs_[k].move_to(points_, frame_.cells(0), first, last);
+                runs_[k].move_to(points_, first, last);
         }
     }
 

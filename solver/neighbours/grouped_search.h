@@ -180,6 +180,8 @@ private:
         search(queries, radii, part, [&](std::size_t) {
             return [&, writer = std::make_unique<PackedLists::Writer>(lists)](
                        std::size_t k, const NearTest<Real>& test) {
+                constexpr std::size_t ahead = 16;
+                if (k + ahead < queries.size()) writer->expect(queries.order(k + ahead));
                 Index* row = writer->room(test.size - test.from + candidates_per_step);
                 const std::size_t n = near_.select(test, row);
                 writer->add(queries.order(k), n);

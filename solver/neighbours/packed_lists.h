@@ -51,6 +51,9 @@ public:
             }
             return at_;
         }
+        /// Row i will be added soon. Rows are added in the order of the search, which is no order at all if
+        /// the points are not sorted: without this, waiting for memory takes as long as the search.
+        void expect(Index i) const { __builtin_prefetch(&lists_.rows_[i], 1); }
         /// Row i is the next n elements.
         void add(Index i, std::size_t n) {
             lists_.rows_[i] = {at_, static_cast<Index>(n)};

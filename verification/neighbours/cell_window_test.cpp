@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <set>
+#include <string>
 
 namespace cell_window_test {
 namespace {
@@ -45,10 +46,30 @@ template <bool Wraps> void check_windows(const CellFrame<3>& frame, const Points
 
 TEST_CASE("cell window: the points of the cells within reach, each once") {
     const Points<3> points = uniform_random(unit_box<3>(), 300, 1);
-    for (const double radius : {0.12, 0.26, 0.4, 2.0}) {
+    for (const double radius : {0.02, 0.04, 0.08, 0.12, 0.26, 0.4, 2.0}) {
         INFO(radius);
         check_windows<false>(CellFrame<3>::around(points, radius), points);
     }
+}
+
+TEST_CASE("cell window: the same with a table of all cells, of each row, and with none") {
+    const Points<3> even = uniform_random(unit_box<3>(), 300, 1);
+    Points<3> pairs;  // far apart along each axis, close together in twos
+    for (const Vec<3>& x : even) pairs.push_back(x), pairs.push_back(x + Vec<3>(0.003, 0.0, 0.0));
+    Points<3> lines;  // few rows of many cells, most of them empty
+    for (const Vec<3>& x : even) lines.push_back({x[0], std::round(2.0 * x[1]), 0.0});
+    const auto tables = [](const Points<3>& points, double radius) {
+        const auto frame = CellFrame<3>::around(points, radius);
+        check_windows<false>(frame, points);
+        CellOrder<3> order;
+        order.sort(frame, points);
+        if (order.has_table()) return std::string("all");
+        return std::string(order.row_of_cells(0).starts == nullptr ? "none" : "rows");
+    };
+    CHECK(tables(even, 0.12) == "all");
+    CHECK(tables(even, 0.08) == "rows");
+    CHECK(tables(lines, 0.0005) == "none");
+    CHECK(tables(pairs, 0.002) == "rows");
 }
 
 TEST_CASE("cell window: the same through the faces of a periodic box of 1, 2, 3 and more cells") {
