@@ -55,9 +55,9 @@ public:
     template <class Use> [[gnu::always_inline]] void for_neighbours(Index i, Use use) const {
         for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
             Vectors gradient;
-            for (int d = 0; d < Dim; ++d)
-                gradient.x[d] = Numbers::load(gradients_.data() +
-                                              (k * Dim + static_cast<std::size_t>(d)) * lanes);
+            const Real* const from = gradients_.data() + k * Dim * lanes;
+            for_each_constant<Dim>(
+                [&](auto d) { gradient.x[d] = Numbers::load(from + d * lanes); });
             use(neighbours_.data() + k * lanes, gradient);
         }
     }

@@ -42,10 +42,11 @@ public:
     std::span<const VecOf<Real, Dim>> positions() const { return x_; }
 
     /// One in each lane.
-    FluidLanes<Real, Dim> of(const Index* particles) const {
+    [[gnu::always_inline]] FluidLanes<Real, Dim> of(const Index* particles) const {
         Lanes<Real> all[stride];
-        for (std::size_t block = 0; block < stride; block += 4)
-            gather_four(numbers_.data() + block, stride, particles, all + block);
+        for_each_constant<static_cast<int>(stride / 4)>([&](auto block) {
+            gather_four(numbers_.data() + 4 * block, stride, particles, all + 4 * block);
+        });
         return named(all);
     }
     /// The same in all lanes.
@@ -63,7 +64,7 @@ private:
 
     static FluidLanes<Real, Dim> named(const Lanes<Real>* all) {
         FluidLanes<Real, Dim> f;
-        for (int d = 0; d < Dim; ++d) f.x.x[d] = all[d], f.v.x[d] = all[Dim + d];
+        for_each_constant<Dim>([&](auto d) { f.x.x[d] = all[d], f.v.x[d] = all[Dim + d]; });
         f.m = all[2 * Dim], f.rho = all[2 * Dim + 1];
         f.V = all[2 * Dim + 2], f.P = all[2 * Dim + 3];
         return f;

@@ -71,7 +71,8 @@ void project(const PairGradients<Real, Dim>& pairs, const ProjectionLimits& limi
             i, [&](const Index* j, const auto& gradient) __attribute__((always_inline)) {
                 Numbers four[4];
                 gather_four(memory.v.data(), 4, j, four);
-                for (int d = 0; d < Dim; ++d) total += (own.x[d] - four[d]) * gradient.x[d];
+                for_each_constant<Dim>(
+                    [&](auto d) { total += (own.x[d] - four[d]) * gradient.x[d]; });
             });
         return sum(total) + v[i].dot(pairs.walls[i]) - pairs.flow_of_walls[i];
     };

@@ -78,8 +78,8 @@ private:
         Vector difference(const Vector& a, const Vector& b) const {
             Vector d = a - b;
             if constexpr (Space::is_periodic)
-                for (int axis = 0; axis < dim; ++axis)
-                    d.x[axis] = nearest_image(d.x[axis], edge_.x[axis]);
+                for_each_constant<dim>(
+                    [&](auto axis) { d.x[axis] = nearest_image(d.x[axis], edge_.x[axis]); });
             return d;
         }
 

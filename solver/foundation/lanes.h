@@ -2,15 +2,26 @@
 
 #include "solver/foundation/types.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 #if defined(__AVX__)
 #include <immintrin.h>
 #endif
 
 namespace plumbline {
+
+/// f(0), …, f(N − 1) with constants for arguments: what a loop over an array leaves in memory, between two
+/// lines of arithmetic, stays in registers.
+template <int N, class F> [[gnu::always_inline]] inline void for_each_constant(F f) {
+    [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
+        (f(std::integral_constant<int, k>()), ...);
+    }
+    (std::make_integer_sequence<int, N>());
+}
 
 /// Several numbers that are computed with at once, by one instruction where the processor has one: with
 /// AVX 8 in single precision and 4 in double, with AVX-512 8 in double too, else half as many. Every operation is rounded as that of
@@ -29,9 +40,7 @@ template <class Real> struct Lanes {
 
     Lanes() = default;
     explicit Lanes(Vector vector) : v{vector} {}
-    Lanes(double all) : v{} {  // implicit: lanes are multiplied by numbers
-        for (std::size_t k = 0; k < size; ++k) v[k] = static_cast<Real>(all);
-    }
+    Lanes(double all) : v{static_cast<Real>(all) - Vector{}} {}  // implicit: lanes times numbers
 
     friend Lanes operator+(Lanes a, Lanes b) { return Lanes(a.v + b.v); }
     friend Lanes operator-(Lanes a, Lanes b) { return Lanes(a.v - b.v); }
@@ -72,11 +81,23 @@ template <class Real> struct Lanes {
         for (std::size_t k = 0; k < size; ++k) lanes.v[k] = from[places[k]];
         return lanes;
     }
-    /// Of all lanes, added in one order.
+    /// Of all lanes, added in one order: halves, quarters, and so on.
     friend double sum(Lanes a) {
-        for (std::size_t n = size / 2; n > 0; n /= 2)
-            for (std::size_t k = 0; k < n; ++k) a.v[k] += a.v[k + n];
-        return static_cast<double>(a.v[0]);
+        std::array<Real, size> all;
+        std::memcpy(all.data(), &a.v, sizeof a.v);
+        return static_cast<double>(sum_of_halves<size>(all));
+    }
+
+private:
+    template <std::size_t N> static Real sum_of_halves(const std::array<Real, N>& all) {
+        if constexpr (N == 1)
+            return all[0];
+        else {
+            std::array<Real, N / 2> half;
+            for_each_constant<static_cast<int>(N / 2)>(
+                [&](auto k) { half[k] = all[k] + all[k + N / 2]; });
+            return sum_of_halves(half);
+        }
     }
 };
 
@@ -86,26 +107,29 @@ template <class Real, int Dim> struct LaneVector {
 
     static LaneVector zero() {
         LaneVector a;
-        for (Lanes<Real>& x_d : a.x) x_d = 0.0;
+        for_each_constant<Dim>([&](auto d) { a.x[d] = 0.0; });
         return a;
     }
-    friend LaneVector operator+(LaneVector a, const LaneVector& b) {
-        for (int d = 0; d < Dim; ++d) a.x[d] += b.x[d];
-        return a;
+    friend LaneVector operator+(const LaneVector& a, const LaneVector& b) {
+        LaneVector c;
+        for_each_constant<Dim>([&](auto d) { c.x[d] = a.x[d] + b.x[d]; });
+        return c;
     }
-    friend LaneVector operator-(LaneVector a, const LaneVector& b) {
-        for (int d = 0; d < Dim; ++d) a.x[d] -= b.x[d];
-        return a;
+    friend LaneVector operator-(const LaneVector& a, const LaneVector& b) {
+        LaneVector c;
+        for_each_constant<Dim>([&](auto d) { c.x[d] = a.x[d] - b.x[d]; });
+        return c;
     }
-    friend LaneVector operator*(Lanes<Real> s, LaneVector a) {
-        for (Lanes<Real>& x_d : a.x) x_d = s * x_d;
-        return a;
+    friend LaneVector operator*(Lanes<Real> s, const LaneVector& a) {
+        LaneVector c;
+        for_each_constant<Dim>([&](auto d) { c.x[d] = s * a.x[d]; });
+        return c;
     }
     LaneVector& operator+=(const LaneVector& b) { return *this = *this + b; }
     LaneVector& operator-=(const LaneVector& b) { return *this = *this - b; }
     friend Lanes<Real> dot(const LaneVector& a, const LaneVector& b) {
         Lanes<Real> total = a.x[0] * b.x[0];
-        for (int d = 1; d < Dim; ++d) total += a.x[d] * b.x[d];
+        for_each_constant<Dim - 1>([&](auto d) { total += a.x[d + 1] * b.x[d + 1]; });
         return total;
     }
     friend Vec<Dim> sum(const LaneVector& a) {
@@ -118,16 +142,17 @@ template <class Real, int Dim> struct LaneVector {
 /// Four numbers of each of as many records as there are lanes: lane k of out[f] is
 /// from[rows[k] · stride + f].
 template <class Real>
-void gather_four(const Real* from, std::size_t stride, const Index* rows, Lanes<Real>* out) {
+[[gnu::always_inline]] inline void gather_four(const Real* from, std::size_t stride,
+                                               const Index* rows, Lanes<Real>* out) {
     for (std::size_t k = 0; k < Lanes<Real>::size; ++k)
         for (std::size_t f = 0; f < 4; ++f) out[f].v[k] = from[rows[k] * stride + f];
 }
 
 // The same by whole records and shuffles, several times faster than by single numbers.
 #if defined(__AVX__)
-inline void gather_four(const float* from, std::size_t stride, const Index* rows,
-                        Lanes<float>* out) {
-    const auto two = [&](std::size_t k) {
+[[gnu::always_inline]] inline void gather_four(const float* from, std::size_t stride,
+                                               const Index* rows, Lanes<float>* out) {
+    const auto two = [&](std::size_t k) __attribute__((always_inline)) {
         return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(from + rows[k] * stride)),
                                     _mm_loadu_ps(from + rows[k + 4] * stride), 1);
     };
@@ -141,10 +166,10 @@ inline void gather_four(const float* from, std::size_t stride, const Index* rows
 }
 #endif
 #if defined(__AVX512F__)
-inline void gather_four(const double* from, std::size_t stride, const Index* rows,
-                        Lanes<double>* out) {
-    const auto two = [&](std::size_t k) {
-        const auto one = [&](std::size_t row) {
+[[gnu::always_inline]] inline void gather_four(const double* from, std::size_t stride,
+                                               const Index* rows, Lanes<double>* out) {
+    const auto two = [&](std::size_t k) __attribute__((always_inline)) {
+        const auto one = [&](std::size_t row) __attribute__((always_inline)) {
             return _mm256_loadu_pd(from + rows[row] * stride);
         };
         return _mm512_insertf64x4(_mm512_castpd256_pd512(one(k)), one(k + 4), 1);
@@ -160,9 +185,11 @@ inline void gather_four(const double* from, std::size_t stride, const Index* row
     out[3].v = _mm512_permutex2var_pd(ab_odd, second, cd_odd);
 }
 #elif defined(__AVX__)
-inline void gather_four(const double* from, std::size_t stride, const Index* rows,
-                        Lanes<double>* out) {
-    const auto one = [&](std::size_t k) { return _mm256_loadu_pd(from + rows[k] * stride); };
+[[gnu::always_inline]] inline void gather_four(const double* from, std::size_t stride,
+                                               const Index* rows, Lanes<double>* out) {
+    const auto one = [&](std::size_t k) __attribute__((always_inline)) {
+        return _mm256_loadu_pd(from + rows[k] * stride);
+    };
     const __m256d a = one(0), b = one(1), c = one(2), d = one(3);
     const __m256d ab_even = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);
     const __m256d cd_even = _mm256_unpacklo_pd(c, d), cd_odd = _mm256_unpackhi_pd(c, d);
