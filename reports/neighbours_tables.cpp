@@ -32,7 +32,7 @@ std::string row_of(const CaseResult& c, const SearchResult& s, const Places& pla
     const auto with_spread = [&](const Timing& t) {
         return fmt::format("{:.1f} ± {:.1f}", ns(t.median_s), ns(t.mad_s));
     };
-    std::string row = fmt::format("{:<16} {:>5} {:>15} {:>15}", s.name, place_in_words(places),
+    std::string row = fmt::format("{:<18} {:>5} {:>15} {:>15}", s.name, place_in_words(places),
                                   with_spread(s.build()), with_spread(s.query()));
     if (c.moved > 0.0) row += fmt::format(" {:>15}", with_spread(s.update()));
     row += fmt::format(" {:>9.1f} {:>9.1f} {:>8.1f} {:>8}  {}\n", ns(s.total().median_s),
@@ -53,18 +53,18 @@ std::string table_of(const CaseResult& c) {
         "{:.1f} %\n",
         in_words(c), c.mean_neighbours, c.unevenness, c.searches.front().name, c.brute_force_rows,
         c.count, 100.0 * c.noise);
-    text += fmt::format("{:<16} {:>5} {:>14} {:>14}", "ns per point", "place", "build", "query");
-    if (c.moved > 0.0) text += fmt::format(" {:>14}", "update");
+    text += fmt::format("{:<18} {:>5} {:>15} {:>15}", "ns per point", "place", "build", "query");
+    if (c.moved > 0.0) text += fmt::format(" {:>15}", "update");
     text += fmt::format(" {:>9} {:>9} {:>8} {:>8}  {}\n", "total", "cold", "B/point", "peak B",
                         "of the fastest");
     const Standing standing = standing_of(c);
     const auto places = places_of(c);
     for (std::size_t k = 0; k < c.searches.size(); ++k) {
         const SearchResult& s = c.searches[k];
-        text += !s.left_out.empty() ? fmt::format("{:<16} left out: {}\n", s.name, s.left_out)
+        text += !s.left_out.empty() ? fmt::format("{:<18} left out: {}\n", s.name, s.left_out)
                 : s.agrees()
                     ? row_of(c, s, places[k], standing.best.empty() ? s : *standing.best.front())
-                    : fmt::format("{:<16} DISAGREES: {} wrong pairs; not timed\n", s.name,
+                    : fmt::format("{:<18} DISAGREES: {} wrong pairs; not timed\n", s.name,
                                   s.wrong_pairs);
     }
     if (c.one_at_a_time)
@@ -87,13 +87,13 @@ std::string tables_of(const SearchStudyResult& study) {
         const auto query = exponents(study.cases, [](const Runs& runs) { return runs.query; });
         if (!build.empty())
             text += fmt::format(
-                "time ~ points^exponent; n log n has {:.2f} here\n{:<16} {:>22} {:>22}\n",
+                "time ~ points^exponent; n log n has {:.2f} here\n{:<18} {:>22} {:>22}\n",
                 build.front().n_log_n, "", "build", "query");
         const auto in_words = [](const Exponent& e) {
             return fmt::format("{:.2f} [{:.2f}, {:.2f}]", e.value, e.low, e.high);
         };
         for (std::size_t k = 0; k < std::min(build.size(), query.size()); ++k)
-            text += fmt::format("{:<16} {:>22} {:>22}\n", build[k].search, in_words(build[k]),
+            text += fmt::format("{:<18} {:>22} {:>22}\n", build[k].search, in_words(build[k]),
                                 in_words(query[k]));
         if (!build.empty()) text += '\n';
     }

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -116,6 +117,7 @@ NeighbourComparison measure(Options options) {
 }
 
 void write_charts(const NeighbourComparison& comparison, const std::string& directory) {
+    std::fflush(stdout);  // the tables come before what is told of files, also in one log
     std::map<std::string, int> studies;  // so far, by name
     for (const SearchStudyResult& study : comparison.studies) {
         const int number = ++studies[study.name];
