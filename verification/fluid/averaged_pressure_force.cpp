@@ -21,7 +21,7 @@ template <int Dim> auto with_one_density() {
     return PairForce<Dim>([w = WendlandC2<Dim>(Drop<Dim>::support)](
                               Index i, const Neighbour<Dim>& n, const PairState<Dim>& s) {
         const double rho = s.rho[n.j], p = equation.pressure(s.rho[i]) + equation.pressure(rho);
-        return Vec<Dim>(-0.5 * s.m[n.j] * p / (rho * rho) * gradient(w, n));
+        return Vec<Dim>(-s.m[n.j] * p / (rho * rho) * gradient(w, n));
     });
 }
 
@@ -37,5 +37,11 @@ const Register angular{in_dimensions<2, 3>([]<int D>() {
         [] { return net_torque_of<D>(TaitPressure{equation}, averaged<D>()); },
         [] { return net_torque_of<D>(with_one_density<D>()); });
 })};
+const Register erratum_of_average{Erratum{
+    61,
+    {Paper::adams2009, "Sec. 6.1"},
+    "the simple way to make Eq. 50 symmetric: aᵢⱼ = −mⱼ (pᵢ + pⱼ)/(2ρⱼ) ∇ω",
+    "no 1/2, and ρᵢ ρⱼ: Σⱼ mⱼ/ρⱼ pᵢ ∇ω is 0 where samples are regular, so the half of pⱼ is "
+    "half of the force"}};
 }  // namespace
 }  // namespace averaged_pressure_force_claims
