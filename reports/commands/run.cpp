@@ -3,7 +3,7 @@
 #include "reports/commands/checks.h"
 #include "reports/commands/command.h"
 #include "reports/scenes.h"
-#include "solver/scene/scene_file.h"
+#include "solver/io/scene_meshes.h"
 
 #include <csignal>
 #include <memory>
@@ -19,7 +19,9 @@ ExitCode run(Options options) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large then fails like a full disk
     const std::filesystem::path file = scene_path(options.scene);
     if (options.run.folder.empty()) options.run.folder = file.stem().string() + "_run";
-    run_scene(plumbline::SceneFile::read(file), options.run);
+    plumbline::SceneFile scene = plumbline::SceneFile::read(file);
+    plumbline::read_meshes(scene);
+    run_scene(scene, options.run);
     return ExitCode::ok;
 }
 

@@ -2,8 +2,12 @@
 
 #include "solver/foundation/parallel.h"
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -18,6 +22,8 @@ namespace {
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Exact::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
+using Triangles =
+    CGAL::AABB_tree<CGAL::AABB_traits<Exact, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
 namespace processing = CGAL::Polygon_mesh_processing;
 
 void require_vertices_and_corners(const TriangleMesh& mesh) {
@@ -63,14 +69,20 @@ Mesh outward_surface(const TriangleMesh& mesh) {
 
 struct ClosedMesh::Surface {
     explicit Surface(const TriangleMesh& triangles)
-        : mesh{outward_surface(triangles)}, side_of{mesh} {}
+        : mesh{outward_surface(triangles)},
+          side_of{mesh},
+          faces(mesh.faces().begin(), mesh.faces().end(), mesh) {
+        // Now, so that threads may share the trees that queries need.
+        faces.accelerate_distance_queries();
+        side_of(Point(0.0, 0.0, 0.0));
+        faces.closest_point(Point(0.0, 0.0, 0.0));
+    }
     Mesh mesh;
     CGAL::Side_of_triangle_mesh<Mesh, Exact> side_of;
+    Triangles faces;
 };
 
-ClosedMesh::ClosedMesh(const TriangleMesh& mesh) : surface_{std::make_unique<Surface>(mesh)} {
-    contains(bounds().low);  // builds the search tree, which threads may then share
-}
+ClosedMesh::ClosedMesh(const TriangleMesh& mesh) : surface_{std::make_unique<Surface>(mesh)} {}
 ClosedMesh::~ClosedMesh() = default;
 ClosedMesh::ClosedMesh(ClosedMesh&&) noexcept = default;
 ClosedMesh& ClosedMesh::operator=(ClosedMesh&&) noexcept = default;
@@ -79,7 +91,27 @@ bool ClosedMesh::contains(const Vec<3>& x) const {
     return x.allFinite() && surface_->side_of(Point(x[0], x[1], x[2])) != CGAL::ON_UNBOUNDED_SIDE;
 }
 
+FromSurface<3> ClosedMesh::from_surface(const Vec<3>& x) const {
+    const auto [nearest, face] =
+        surface_->faces.closest_point_and_primitive(Point(x[0], x[1], x[2]));
+    const Vec<3> foot(nearest.x(), nearest.y(), nearest.z());
+    const double outwards = contains(x) ? -1.0 : 1.0;
+    const Vec<3> arm = x - foot;
+    const double distance = arm.norm();
+    // Rounding leaves no direction to an arm this short.
+    if (distance > 1e-12 * (1.0 + x.cwiseAbs().maxCoeff()))
+        return {outwards * distance, outwards / distance * arm};
+    const auto n = processing::compute_face_normal(face, surface_->mesh);
+    return {outwards * distance, Vec<3>(n.x(), n.y(), n.z())};
+}
+
 double ClosedMesh::volume() const { return CGAL::to_double(processing::volume(surface_->mesh)); }
+
+Points<3> ClosedMesh::vertices() const {
+    Points<3> points;
+    for (const Point& x : surface_->mesh.points()) points.emplace_back(x.x(), x.y(), x.z());
+    return points;
+}
 
 Box<3> ClosedMesh::bounds() const {
     const auto box = processing::bbox(surface_->mesh);

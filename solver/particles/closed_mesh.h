@@ -13,6 +13,12 @@ struct TriangleMesh {
     std::vector<std::array<Index, 3>> triangles;
 };
 
+/// How a point lies to the surface of a solid.
+template <int Dim> struct FromSurface {
+    double distance;  // from the nearest point of the surface, < 0 inside [m]
+    Vec<Dim> normal;  // ∇distance: of length 1, outwards
+};
+
 /// A body bounded by triangles, and the question whether a point is in it.
 class ClosedMesh {
 public:
@@ -26,8 +32,12 @@ public:
 
     /// Whether x is inside or on the surface; exact (no rounding decides). Not finite: never.
     bool contains(const Vec<3>& x) const;
+    /// The distance from the nearest triangle, < 0 inside, and its gradient; on a triangle, the normal of
+    /// that. To rounding; x must be finite. Costs about the logarithm of the number of triangles.
+    FromSurface<3> from_surface(const Vec<3>& x) const;
     /// V = Σ a · (b × c) / 6 over the triangles with corners a, b, c [m³].
     double volume() const;
+    Points<3> vertices() const;
     /// The smallest box with all vertices; they lie on its faces.
     Box<3> bounds() const;
 

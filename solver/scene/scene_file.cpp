@@ -1,5 +1,6 @@
 #include "solver/scene/scene_file.h"
 
+#include "solver/scene/scene_solids.h"
 #include "solver/scene/toml_section.h"
 
 #include <cmath>
@@ -16,21 +17,6 @@ Section required(Section& file, const std::string& key) {
     auto section = file.section(key);
     if (!section) file.reject(key, "a table [" + key + "]", "none");
     return *std::move(section);
-}
-
-/// Keys that mean nothing with what else the file says are refused like unknown ones.
-void only_with(Section& section, const std::string& key, bool allowed, const std::string& what) {
-    if (!allowed && section.has(key))
-        section.reject(key, "no key \"" + key + "\" without " + what, "one");
-}
-
-void read_box(Section& s, int dim, Vec<3>& low, Vec<3>& high) {
-    low = s.vector("low", dim);
-    high = s.vector("high", dim);
-    for (int d = 0; d < dim; ++d)
-        if (!(low[d] < high[d]))
-            s.reject("high", "a corner above the one of \"low\" along each axis",
-                     std::to_string(high[d]) + " where low is " + std::to_string(low[d]));
 }
 
 void read_particles(Section s, SceneFile& scene) {
@@ -137,9 +123,7 @@ Wall read_wall(Section& s, const SceneFile& scene) {
     wall.plane = s.choice<bool>("shape", {{"tank", false}, {"plane", true}});
     if (wall.plane) {
         wall.point = s.vector("point", scene.dim);
-        wall.normal = s.vector("normal", scene.dim);
-        if (!(wall.normal.norm() > 0.0)) s.reject("normal", "a vector that is not zero", "zeros");
-        wall.normal.normalize();
+        wall.normal = read_direction(s, "normal", scene.dim);
     } else {
         read_box(s, scene.dim, wall.low, wall.high);
         std::vector<std::string> sides{"-x", "+x", "-y", "+y"};
@@ -232,6 +216,8 @@ SceneFile read_scene(Section file) {
     for (Section& s : file.sections("block")) scene.blocks.push_back(read_block(s, scene));
     if (scene.blocks.empty()) file.reject("block", "at least one table [[block]]", "none");
     for (Section& s : file.sections("wall")) scene.walls.push_back(read_wall(s, scene));
+    for (Section& s : file.sections("constraint"))
+        scene.constraints.push_back(read_constraint(s, scene));
     scene.wall_layers = file.whole_number("wall_layers", 1, 6, 3);
     scene.no_slip = file.flag("no_slip", false);
     if (scene.no_slip && scene.mu == 0.0)

@@ -4,11 +4,14 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace plumbline {
+
+class ClosedMesh;
 
 /// Which composition of passes advances the fluid.
 enum class Method {
@@ -44,6 +47,27 @@ struct Wall {
     std::array<std::array<bool, 2>, 3> open = {};  // sides without wall: axis, low and high side
     Vec<3> point, normal;                          // of the plane; the normal points to the fluid
     Vec<3> velocity;                               // along the wall [m/s]
+    std::string place;
+};
+
+/// A solid, where it is at the start.
+struct SolidShape {
+    enum class Form { plane, box, sphere, mesh } form = Form::box;
+    Vec<3> point, normal;  // of the plane; the normal points out of the solid
+    Vec<3> low, high;      // of the box [m]
+    Vec<3> centre;         // [m]
+    double radius = 0.0;   // [m]
+    std::filesystem::path
+        mesh_file;  // of a closed surface of triangles; as seen from the scene file
+    std::shared_ptr<const ClosedMesh> mesh;  // what is in that file: read_meshes fills it in
+};
+
+/// What particles may not enter, though it has no ghosts; see EnforceConstraints.
+struct SolidConstraint {
+    SolidShape shape;
+    bool hollow = false;  // particles stay in the shape, not out of it
+    double restitution = 0.0, friction = 0.0;
+    Vec<3> velocity;  // of the surface [m/s]
     std::string place;
 };
 
@@ -89,6 +113,7 @@ struct SceneFile {
 
     std::vector<FluidBlock> blocks;
     std::vector<Wall> walls;
+    std::vector<SolidConstraint> constraints;
     int wall_layers = 3;
     bool no_slip = false;
     std::optional<std::array<Vec<3>, 2>> domain;  // what particles may not leave: low, high
@@ -104,7 +129,8 @@ struct SceneFile {
     std::vector<Probe> probes;
 
     /// Throws InvalidInput "file:line:column: expected …, found …" for what is not TOML, for keys that are
-    /// missing, unknown or of another type, and for values that no simulation can have.
+    /// missing, unknown or of another type, and for values that no simulation can have. Files of meshes are
+    /// not opened here: see read_meshes.
     static SceneFile read(const std::filesystem::path& path);
     static SceneFile parse(const std::string& name, const std::string& text);
 };

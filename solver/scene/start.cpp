@@ -165,6 +165,22 @@ template <int Dim> Start<Dim> start_of(const SceneFile& scene) {
     return start;
 }
 
+template <int Dim> Shape<Dim> shape_of(const SolidShape& solid) {
+    using enum SolidShape::Form;
+    if (solid.form == plane) return HalfSpace<Dim>{flat<Dim>(solid.point), flat<Dim>(solid.normal)};
+    if (solid.form == sphere) return Ball<Dim>{flat<Dim>(solid.centre), solid.radius};
+    if constexpr (Dim == 3)
+        if (solid.form == mesh) {
+            if (!solid.mesh)
+                throw InvalidInput(solid.mesh_file.string() +
+                                   ": expected a mesh that was read, found its name only");
+            return MeshSolid{solid.mesh};
+        }
+    return Cuboid<Dim>{flat<Dim>(solid.low), flat<Dim>(solid.high)};
+}
+
+template Shape<2> shape_of<2>(const SolidShape&);
+template Shape<3> shape_of<3>(const SolidShape&);
 template Start<2> start_of<2>(const SceneFile&);
 template Start<3> start_of<3>(const SceneFile&);
 

@@ -3,6 +3,7 @@
 #include "solver/fluid/tait_equation.h"
 #include "solver/particles/box.h"
 #include "solver/particles/quantities.h"
+#include "solver/particles/solid.h"
 #include "solver/scene/scene_file.h"
 
 namespace plumbline {
@@ -24,6 +25,9 @@ template <int Dim> struct Start {
 /// lattice of fluid inside would end.
 /// Throws InvalidInput as make_simulation does.
 template <int Dim> Start<Dim> start_of(const SceneFile& scene);
+
+/// Throws InvalidInput for a mesh that nobody has read.
+template <int Dim> Shape<Dim> shape_of(const SolidShape& solid);
 
 inline TaitEquation tait_of(const SceneFile& scene) {
     return TaitEquation(scene.density, scene.speed_of_sound, scene.exponent);

@@ -14,6 +14,7 @@
 #include "solver/scene/grid_passes.h"
 #include "solver/scene/one_of.h"
 #include "solver/scene/scene_file.h"
+#include "solver/scene/start.h"
 #include "solver/scene/time_step.h"
 
 namespace plumbline {
@@ -62,9 +63,9 @@ public:
     }
     /// Each closed side of a tank is a plane without end, and so is a plane.
     EnforceConstraints<Dim> constraints() const {
-        std::vector<HalfSpace<Dim>> walls;
+        std::vector<Constraint<Dim>> all;
         const auto add = [&](const Vec<3>& point, const Vec<3>& n) {
-            walls.push_back({point.head<Dim>(), n.head<Dim>()});
+            all.push_back({HalfSpace<Dim>{point.head<Dim>(), n.head<Dim>()}});
         };
         for (const Wall& wall : file_.walls) {
             if (wall.plane) add(wall.point, wall.normal);
@@ -73,7 +74,10 @@ public:
                 if (!wall.open[d][1]) add(wall.high, -Vec<3>::Unit(d));
             }
         }
-        return {walls};
+        for (const SolidConstraint& c : file_.constraints)
+            all.push_back({shape_of<Dim>(c.shape), c.hollow, c.restitution, c.friction,
+                           c.velocity.head<Dim>()});
+        return {all};
     }
     Maybe<Cohesion<Dim>> cohesion() const {
         return only_if(file_.cohesion > 0.0,
