@@ -107,10 +107,18 @@ FromSurface<3> ClosedMesh::from_surface(const Vec<3>& x) const {
 
 double ClosedMesh::volume() const { return CGAL::to_double(processing::volume(surface_->mesh)); }
 
-Points<3> ClosedMesh::vertices() const {
-    Points<3> points;
-    for (const Point& x : surface_->mesh.points()) points.emplace_back(x.x(), x.y(), x.z());
-    return points;
+TriangleMesh ClosedMesh::triangles() const {
+    const Mesh& mesh = surface_->mesh;
+    TriangleMesh triangles;
+    for (const Point& x : mesh.points()) triangles.vertices.emplace_back(x.x(), x.y(), x.z());
+    for (const auto face : mesh.faces()) {
+        std::array<Index, 3> corners{};
+        std::size_t k = 0;
+        for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
+            corners[k++] = static_cast<Index>(std::size_t{vertex});
+        triangles.triangles.push_back(corners);
+    }
+    return triangles;
 }
 
 Box<3> ClosedMesh::bounds() const {

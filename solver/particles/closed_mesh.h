@@ -37,7 +37,8 @@ public:
     FromSurface<3> from_surface(const Vec<3>& x) const;
     /// V = Σ a · (b × c) / 6 over the triangles with corners a, b, c [m³].
     double volume() const;
-    Points<3> vertices() const;
+    /// Its triangles, counter-clockwise as seen from outside.
+    TriangleMesh triangles() const;
     /// The smallest box with all vertices; they lie on its faces.
     Box<3> bounds() const;
 
