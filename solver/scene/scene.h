@@ -61,12 +61,14 @@ public:
     }
 
     /// Puts the particles into another order: member k of each of their quantities is the one that was
-    /// member order[k]. Neighbourhoods still have the old numbers, until they are found anew.
+    /// member order[k]. Those that `order` does not name are gone. Neighbourhoods still have the old numbers,
+    /// until they are found anew.
     void reorder(std::span<const Index> order) {
+        const std::size_t n = count<Particles>(GivenQuantities{}).value_or(order.size());
         const auto put = [&]<class Q>(Q& q) {
             if constexpr (detail::OnePerMember<Q>)
                 if constexpr (std::is_same_v<typename Q::set, Particles>)
-                    if (q.size() == order.size()) permute(q, order);
+                    if (q.size() == n) permute(q, order);
         };
         std::apply([&](auto&... q) { (put(q), ...); }, store_);
     }
@@ -75,8 +77,8 @@ private:
     using GivenQuantities = Union<typename detail::GivenBy<Passes>::type...>;
 
     template <class Q> static void permute(Q& q, std::span<const Index> order) {
-        std::vector<typename Q::value_type> permuted(q.size());
-        parallel_for_parts(q.size(), [&](std::size_t first, std::size_t last) {
+        std::vector<typename Q::value_type> permuted(order.size());
+        parallel_for_parts(order.size(), [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) permuted[k] = q[order[k]];
         });
         q.swap(permuted);
@@ -90,7 +92,7 @@ private:
     /// How many members the set has, if it is given.
     template <class Set, class... Qs> std::optional<std::size_t> count(Quantities<Qs...>) const {
         std::optional<std::size_t> n;
-        const auto look_at = [&]<class Q>(const Q& q) {
+        [[maybe_unused]] const auto look_at = [&]<class Q>(const Q& q) {
             if constexpr (std::is_same_v<typename Q::set, Set>)
                 if (!n) n = q.size();
         };
