@@ -74,14 +74,16 @@ struct View {
 std::string script_of(const std::filesystem::path& png, const SceneFile& scene, double time,
                       const Snapshot& s) {
     View view;
-    std::string walls = "$walls << END\n", fluid = "$fluid << END\n";
+    std::string walls = "$walls << END\n", bodies, fluid = "$fluid << END\n";
     for (std::size_t i = 0; i * static_cast<std::size_t>(s.dim) < s.ghosts.size(); ++i) {
         const Dot dot = seen(s.ghosts, s.dim, i);
         view.include(dot);
-        walls += fmt::format("{:.6g} {:.6g}\n", dot.across, dot.up);
+        const bool in_body = !s.body_of_ghost.empty() && s.body_of_ghost[i] < s.bodies.size();
+        (in_body ? bodies : walls) += fmt::format("{:.6g} {:.6g}\n", dot.across, dot.up);
     }
+    const bool walled = walls.find('\n') + 1 < walls.size();
     for (const Dot& dot : dots_of(scene, s)) {
-        if (s.ghosts.empty()) view.include(dot);
+        if (!walled) view.include(dot);
         fluid += fmt::format("{:.6g} {:.6g} {:.6g}\n", dot.across, dot.up, dot.value);
     }
     const double margin = 2.0 * scene.spacing;
@@ -94,6 +96,7 @@ std::string script_of(const std::filesystem::path& png, const SceneFile& scene, 
     std::string title;
     for (const char c : scene.title) title += c == '"' || c == '\\' || c == '\n' ? '\'' : c;
     std::string script = walls + "END\n" + fluid + "END\n";
+    if (!bodies.empty()) script += "$bodies << END\n" + bodies + "END\n";
     script += fmt::format(
         "set encoding utf8\nset terminal pngcairo size {:.0f},{:.0f} font 'DejaVu Sans,12'\n"
         "set output '{}'\nset title \"{}, t = {:.4g} s\" noenhanced\nset size ratio -1\n",
@@ -108,11 +111,14 @@ std::string script_of(const std::filesystem::path& png, const SceneFile& scene, 
         "palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",
         colours.label, colours.low, colours.high);
     std::string plot = "plot ";
-    if (!s.ghosts.empty())
+    if (walled)
         plot += s.dim == 2 ? fmt::format(
                                  "$walls using 1:2 with points pt 7 ps {} lc rgb '#bbbbbb', ", size)
                            : fmt::format("$walls using 1:2 with points pt 0 lc rgb '#cccccc', ");
-    return script + plot + fmt::format("$fluid using 1:2:3 with points pt 7 ps {} palette\n", size);
+    plot += fmt::format("$fluid using 1:2:3 with points pt 7 ps {} palette", size);
+    if (!bodies.empty())
+        plot += fmt::format(", $bodies using 1:2 with points pt 7 ps {} lc rgb '#cc4c02'", size);
+    return script + plot + "\n";
 }
 }  // namespace
 

@@ -35,6 +35,25 @@ PolyData particles_of(const Snapshot& s) {
                        {"density", 1, copy(s.rho)},
                        {"pressure", 1, copy(s.p)}}};
 }
+/// The ghosts of bodies, or those of walls.
+PolyData ghosts_of(const Snapshot& s, bool of_bodies) {
+    const auto dim = static_cast<std::size_t>(s.dim);
+    std::vector<double> x, v, body;
+    for (std::size_t k = 0; k * dim < s.ghosts.size(); ++k) {
+        const bool in_body = !s.body_of_ghost.empty() && s.body_of_ghost[k] < s.bodies.size();
+        if (in_body != of_bodies) continue;
+        if (in_body) body.push_back(s.body_of_ghost[k] + 1.0);
+        for (std::size_t d = 0; d < dim; ++d) {
+            x.push_back(s.ghosts[k * dim + d]);
+            v.push_back(s.ghost_v[k * dim + d]);
+        }
+    }
+    PolyData data{.xyz = plumbline::in_space(x, s.dim), .arrays = {}};
+    if (of_bodies)
+        data.arrays = {{"velocity", 3, plumbline::in_space(v, s.dim)},
+                       {"body", 1, std::move(body)}};
+    return data;
+}
 std::string member(const std::string& name, std::size_t frame, const std::string& format) {
     return fmt::format("{0}/{0}_{1:05}.{2}", name, frame, format);
 }
@@ -63,10 +82,10 @@ RunRecord record_of(const Json& json) {
     json.at("why").get_to(record.why);
     return record;
 }
-constexpr const char* files[] = {"scene.toml",    "manifest.json", "scalars.csv",
-                                 "particles.pvd", "surface.pvd",   "walls.vtp",
-                                 "checkpoint",    "last_good.vtp", "film.mp4"};
-constexpr const char* folders[] = {"particles", "surface", "pictures"};
+constexpr const char* files[] = {"scene.toml",    "manifest.json", "scalars.csv", "particles.pvd",
+                                 "surface.pvd",   "bodies.pvd",    "walls.vtp",   "checkpoint",
+                                 "last_good.vtp", "film.mp4"};
+constexpr const char* folders[] = {"particles", "surface", "bodies", "pictures"};
 }  // namespace
 
 bool RunFolder::holds_run() const { return fs::exists(folder_ / "scalars.csv"); }
@@ -81,10 +100,9 @@ void RunFolder::begin(const Snapshot& particles) {
     if (scene_.surface) fs::create_directories(folder_ / "surface");
     if (scene_.picture != "none") fs::create_directories(folder_ / "pictures");
     write_file(folder_ / "scene.toml", scene_.text);
-    if (!particles.ghosts.empty())
-        write_file(
-            folder_ / "walls.vtp",
-            vtp_of({.xyz = plumbline::in_space(particles.ghosts, particles.dim), .arrays = {}}));
+    if (!scene_.bodies.empty()) fs::create_directories(folder_ / "bodies");
+    if (const PolyData walls = ghosts_of(particles, false); !walls.xyz.empty())
+        write_file(folder_ / "walls.vtp", vtp_of(walls));
     scalars_.emplace(folder_ / "scalars.csv", scene_, 0);
 }
 
@@ -110,6 +128,10 @@ void RunFolder::add_frame(const RunRecord& record, const Snapshot& particles) {
     const std::size_t frame = record.frames.size() - 1;
     write_file(folder_ / member("particles", frame, "vtp"), vtp_of(particles_of(particles)));
     write_series(record, "particles", "vtp");
+    if (!scene_.bodies.empty()) {
+        write_file(folder_ / member("bodies", frame, "vtp"), vtp_of(ghosts_of(particles, true)));
+        write_series(record, "bodies", "vtp");
+    }
     if (scene_.surface) {
         const std::string& format = scene_.surface->format;
         write_file(folder_ / member("surface", frame, format), surface_text(scene_, particles));

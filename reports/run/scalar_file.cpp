@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 using plumbline::CsvWriter;
 using plumbline::SceneFile;
 
+bool is_open(const SceneFile& scene) { return !scene.emitters.empty() || !scene.outflows.empty(); }
+
 std::vector<std::string> columns(const SceneFile& scene) {
     std::vector<std::string> names{
         "time", "step", "dt", "limit", "kinetic_energy", "potential_energy", "internal_energy"};
@@ -29,6 +31,19 @@ std::vector<std::string> columns(const SceneFile& scene) {
     add_vector("centre");
     for (const char* name : {"front", "height", "largest_speed"}) names.emplace_back(name);
     for (const plumbline::Probe& probe : scene.probes) names.push_back(probe.name);
+    if (is_open(scene))
+        for (const char* name :
+             {"particles", "emitted", "emitted_mass", "blocked", "removed", "removed_mass"})
+            names.emplace_back(name);
+    for (const plumbline::SceneBody& body : scene.bodies) {
+        for (const char* what : {"centre", "velocity", "force"}) add_vector(body.name + "_" + what);
+        for (const char* what : {"turn", "spin", "torque"}) {
+            if (scene.dim == 3)
+                add_vector(body.name + "_" + what);
+            else
+                names.push_back(body.name + "_" + what);
+        }
+    }
     return names;
 }
 }  // namespace
@@ -62,10 +77,13 @@ void ScalarFile::add(double time, std::size_t step, double dt, std::string_view 
     row.add(time).add(std::to_string(step)).add(dt).add(why);
     row.add(all.kinetic).add(all.potential).add(all.internal);
     add_vector(all.momentum);
-    if (scene.dim == 3)
-        add_vector(all.angular_momentum);
-    else
-        row.add(all.angular_momentum[2]);
+    const auto add_turning = [&](const plumbline::Vec<3>& v) {
+        if (scene.dim == 3)
+            add_vector(v);
+        else
+            row.add(v[2]);
+    };
+    add_turning(all.angular_momentum);
     add_vector(all.centre);
     row.add(all.front).add(all.height).add(all.largest_speed);
     for (const plumbline::Probe& probe : scene.probes) {
@@ -74,6 +92,16 @@ void ScalarFile::add(double time, std::size_t step, double dt, std::string_view 
             row.add("");
         else
             row.add(value);
+    }
+    if (is_open(scene)) {
+        row.add(static_cast<double>(particles.size()));
+        row.add(particles.emitted.particles).add(particles.emitted.mass);
+        row.add(particles.emitted.blocked);
+        row.add(particles.removed.particles).add(particles.removed.mass);
+    }
+    for (const plumbline::BodyState& body : particles.bodies) {
+        add_vector(body.centre), add_vector(body.velocity), add_vector(body.force);
+        add_turning(body.turn), add_turning(body.spin), add_turning(body.torque);
     }
     row.end_row();
     append(text.str().substr(header));

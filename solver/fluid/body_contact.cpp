@@ -25,7 +25,7 @@ FromSurface<Dim> from_body(const Outline<Dim>& outline, const RigidBody<Dim>& bo
 }
 template <int Dim>
 FromSurface<Dim> from_obstacle(const Obstacle<Dim>& obstacle, const Vec<Dim>& x) {
-    const auto at = from_surface<Dim>(obstacle.shape, x);
+    FromSurface<Dim> at = from_surface<Dim>(obstacle.shape, x);
     if (obstacle.hollow) return {-at.distance, -at.normal};
     return at;
 }

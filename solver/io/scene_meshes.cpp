@@ -16,6 +16,8 @@ void read_meshes(SceneFile& scene) {
         }
     };
     for (SolidConstraint& constraint : scene.constraints) read(constraint.shape, constraint.place);
+    for (SolidShape& outflow : scene.outflows) read(outflow, scene.name);
+    for (SceneBody& body : scene.bodies) read(body.shape, body.place);
 }
 
 }  // namespace plumbline

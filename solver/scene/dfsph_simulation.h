@@ -32,6 +32,8 @@ template <int Dim> std::unique_ptr<Simulation> make_dfsph(const SceneFile& file)
     return composed<Dim>(file, [&](auto named) {
         return Scene{Given<Positions<Dim>, Velocities<Dim>, Masses, Density>{},
                      Given<GhostPositions<Dim>, GhostVelocities<Dim>, GhostMasses>{},
+                     Given<EmitterStates>{},
+                     Given<OutflowStates>{},
                      named("neighbours", FindInGrid<Dim>{file.support}),
                      named("neighbours at walls", FindGhostsInGrid<Dim>{file.support}),
                      named("density", SphDensity<W>{w}),
@@ -46,6 +48,7 @@ template <int Dim> std::unique_ptr<Simulation> make_dfsph(const SceneFile& file)
                      ForceLimit<Dim>{file.support, force_fraction},
                      named("forces", Kick<Dim>{}),
                      named("pressure", ConstantDensity<Dim, Real>{file.density}),
+                     named("inflow", terms.template hold_inflow<SetInflow<Dim>>()),
                      named("time step", Drift<Dim>{}),
                      named("constraints", terms.constraints()),
                      AdvectiveLimit<Dim>{file.spacing}};

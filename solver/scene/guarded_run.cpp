@@ -85,25 +85,32 @@ std::optional<GuardedRun::Trouble> GuardedRun::trouble() const {
     const auto dim = static_cast<std::size_t>(s.dim);
     std::size_t first = 0;
     for (const auto& numbers : {s.x, s.v})
-        if (!all_finite(numbers, first)) return Trouble{false, first / dim};
+        if (!all_finite(numbers, first)) return Trouble{Trouble::not_finite, first / dim};
     for (const auto& numbers : {s.rho, s.p})
-        if (!all_finite(numbers, first)) return Trouble{false, first};
+        if (!all_finite(numbers, first)) return Trouble{Trouble::not_finite, first};
     for (std::size_t k = 0; k < s.x.size(); ++k) {
         const auto d = static_cast<int>(k % dim);
-        if (s.x[k] < domain_.low[d] || s.x[k] > domain_.high[d]) return Trouble{true, k / dim};
+        if (s.x[k] < domain_.low[d] || s.x[k] > domain_.high[d])
+            return Trouble{Trouble::escaped, k / dim};
     }
+    for (std::size_t k = 0; k < s.bodies.size(); ++k)
+        for (int d = 0; d < s.dim; ++d)
+            if (const double x = s.bodies[k].centre[d];
+                !(x >= domain_.low[d] && x <= domain_.high[d]))
+                return Trouble{Trouble::body_escaped, k};
     return std::nullopt;
 }
 
 void GuardedRun::explain(const NextStep& next, const std::string& thrown) {
-    const Trouble found = trouble().value_or(Trouble{false, 0});
+    const Trouble found = trouble().value_or(Trouble{Trouble::not_finite, 0});
     simulation_.load(kept_);
     for (const double dt : since_kept_) simulation_.step(dt);
     std::string good;
     simulation_.save(good);
     Diagnosis why;
     try {
-        why = simulation_.step_watched(next.dt, found.particle);
+        why = simulation_.step_watched(next.dt,
+                                       found.kind == Trouble::body_escaped ? 0 : found.number);
     } catch (const InvalidInput&) {  // nothing in it was not finite: `thrown` says what it was
     }
     std::ostringstream text;
@@ -114,14 +121,17 @@ void GuardedRun::explain(const NextStep& next, const std::string& thrown) {
              << "\" is not finite";
         at();
         text << ", after the term \"" << why.fault_term << "\"";
-    } else if (found.escaped) {
-        text << "particle " << found.particle << " left the domain";
+    } else if (found.kind == Trouble::body_escaped) {
+        text << "body " << found.number + 1 << " left the domain";
         at();
-        text << ", for " << as_text(simulation_.snapshot(), found.particle)
+    } else if (found.kind == Trouble::escaped) {
+        text << "particle " << found.number << " left the domain";
+        at();
+        text << ", for " << as_text(simulation_.snapshot(), found.number)
              << " m; the term that accelerated it most, by " << why.strongest << " m/s2, is \""
              << why.strongest_term << "\"";
     } else {
-        text << "particle " << found.particle << ": the step cannot be made";
+        text << "particle " << found.number << ": the step cannot be made";
         at();
         text << (thrown.empty() ? "" : ": ") << thrown;
     }

@@ -32,7 +32,7 @@ struct NextStep {
 /// Throws SimulationFailed where the limits vanish or are not numbers.
 NextStep next_step(const SceneFile& scene, const TimeStepLimits& limits, double time, double event);
 
-/// Steps a simulation, and looks after each step whether all particles are in the domain and all numbers
+/// Steps a simulation, and looks after each step whether all particles and bodies are in the domain and all numbers
 /// finite. A step that fails is done again, from a state kept some steps ago, with a watch on every term.
 class GuardedRun {
 public:
@@ -48,8 +48,8 @@ public:
 
 private:
     struct Trouble {
-        bool escaped;  // otherwise something is not finite
-        std::size_t particle;
+        enum Kind { not_finite, escaped, body_escaped } kind;
+        std::size_t number;  // of the particle or the body
     };
     std::optional<Trouble> trouble() const;
     [[noreturn]] void explain(const NextStep& next, const std::string& thrown);

@@ -68,7 +68,7 @@ Scalars scalars_of(const SceneFile& scene, const Snapshot& s) {
         all.height = std::max(all.height, up.dot(x));
         all.largest_speed = std::max(all.largest_speed, v.norm());
     }
-    all.centre /= mass;
+    if (mass > 0.0) all.centre /= mass;
     return all;
 }
 

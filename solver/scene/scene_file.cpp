@@ -214,20 +214,34 @@ SceneFile read_scene(Section file) {
     read_particles(required(file, "particles"), scene);
     read_fluid(required(file, "fluid"), scene);
     for (Section& s : file.sections("block")) scene.blocks.push_back(read_block(s, scene));
-    if (scene.blocks.empty()) file.reject("block", "at least one table [[block]]", "none");
+    for (Section& s : file.sections("emitter")) scene.emitters.push_back(read_emitter(s, scene));
+    for (Section& s : file.sections("outflow")) scene.outflows.push_back(read_outflow(s, scene));
+    if (scene.blocks.empty() && scene.emitters.empty())
+        file.reject("block", "at least one table [[block]] or [[emitter]]", "none");
     for (Section& s : file.sections("wall")) scene.walls.push_back(read_wall(s, scene));
     for (Section& s : file.sections("constraint"))
         scene.constraints.push_back(read_constraint(s, scene));
+    for (Section& s : file.sections("body")) scene.bodies.push_back(read_body(s, scene));
+    if (auto contact = file.section("contact")) {
+        scene.body_restitution = contact->number("restitution", fraction, 0.0);
+        scene.body_friction = contact->number("friction", not_negative, 0.0);
+        contact->refuse_unknown_keys();
+    }
     scene.wall_layers = file.whole_number("wall_layers", 1, 6, 3);
     scene.no_slip = file.flag("no_slip", false);
     if (scene.no_slip && scene.mu == 0.0)
         file.reject("no_slip", "walls that slip, where the fluid has no mu", "true");
+    if (scene.no_slip && scene.xsph > 0.0 && !scene.bodies.empty())
+        file.reject("no_slip", "bodies that slip, or no xsph, which would drag at them unseen",
+                    "true");
     if (auto domain = file.section("domain")) {
         Vec<3> low, high;
         read_box(*domain, scene.dim, low, high);
         domain->refuse_unknown_keys();
         scene.domain = {low, high};
     }
+    if (!scene.emitters.empty() && !scene.domain)
+        file.reject("domain", "a table [domain], where there are emitters", "none");
     read_time(required(file, "time"), scene);
     read_output(required(file, "output"), scene);
     for (Section& s : file.sections("probe")) scene.probes.push_back(read_probe(s, scene));

@@ -71,6 +71,28 @@ struct SolidConstraint {
     std::string place;
 };
 
+/// A rigid body, which ghosts make up; see RigidBody.
+struct SceneBody {
+    std::string name;
+    SolidShape shape;      // no plane
+    bool fixed = false;    // it keeps its velocity and its spin; otherwise it has
+    double mass = 0.0;     // [kg], or where this is 0,
+    double density = 0.0;  // [kg/m^dim]
+    Vec<3> velocity;       // [m/s]
+    Vec<3> spin;           // [rad/s]; in the plane its z
+    std::string place;
+};
+
+/// Where fluid comes in; see Emitter.
+struct SceneEmitter {
+    Vec<3> centre;                // [m]
+    Vec<3> direction;             // of length 1
+    double radius = 0.0;          // of the disc, in the plane half of the segment [m]
+    double speed = 0.0;           // [m/s]
+    std::optional<double> until;  // [s]
+    std::string place;
+};
+
 struct SurfaceOutput {
     enum class Field { density, blobby, weighted_average } field = Field::density;
     double cell = 0.5;      // of the grid [spacings]
@@ -88,6 +110,16 @@ struct Probe {
 };
 
 /// A simulation as a scene file describes it. Lengths in spacings are turned into metres here.
+///
+/// Tables of solids and of what moves in and out; `shape` is "box" (low, high), "sphere" (centre, radius),
+/// "plane" (point, normal) or, in space, "mesh" (file, beside the scene file: OBJ, OFF, PLY or STL):
+/// - [[constraint]] shape, stay = "outside" | "inside", restitution = 0, friction = 0, velocity = 0: particles may
+///   not enter it, or leave it; there are no ghosts in it.
+/// - [[body]] shape (no plane), name = "body_N", density or mass, velocity = 0, spin = 0 (in space a vector), or
+///   fixed = true for one that keeps its velocity and its spin: a rigid body of ghosts, not for dfsph.
+/// - [contact] restitution = 0, friction = 0: of bodies with each other, with walls and with constraints.
+/// - [[emitter]] centre, direction, radius, speed, until: fluid that comes in; [domain] must be there.
+/// - [[outflow]] shape: particles in it are taken out.
 struct SceneFile {
     std::string name, title, text;  // text: the file itself
     int dim = 2;
@@ -114,7 +146,11 @@ struct SceneFile {
     std::vector<FluidBlock> blocks;
     std::vector<Wall> walls;
     std::vector<SolidConstraint> constraints;
-    int wall_layers = 3;
+    std::vector<SceneEmitter> emitters;
+    std::vector<SolidShape> outflows;  // where particles are taken out
+    std::vector<SceneBody> bodies;
+    double body_restitution = 0.0, body_friction = 0.0;  // of their contacts
+    int wall_layers = 3;                                 // of bodies, too
     bool no_slip = false;
     std::optional<std::array<Vec<3>, 2>> domain;  // what particles may not leave: low, high
 

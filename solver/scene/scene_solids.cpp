@@ -64,4 +64,70 @@ SolidConstraint read_constraint(TomlSection& s, const SceneFile& scene) {
     return constraint;
 }
 
+namespace {
+void read_name(TomlSection& s, const SceneFile& scene, SceneBody& body) {
+    body.name = "body_" + std::to_string(scene.bodies.size() + 1);
+    if (s.has("name")) body.name = s.text("name");
+    if (body.name.find_first_of(",\"\n\r") != std::string::npos)
+        s.reject("name", "a name without commas, quotes and line breaks", "\"" + body.name + "\"");
+    for (const SceneBody& other : scene.bodies)
+        if (other.name == body.name)
+            s.reject("name", "a name of its own for each body", "\"" + body.name + "\" twice");
+}
+void read_mass(TomlSection& s, SceneBody& body) {
+    body.fixed = s.flag("fixed", false);
+    only_with(s, "mass", !body.fixed, "a body that is free");
+    only_with(s, "density", !body.fixed, "a body that is free");
+    only_with(s, "mass", !s.has("density"), "leaving out \"density\"");
+    if (body.fixed) return;
+    if (s.has("mass"))
+        body.mass = s.number("mass", positive);
+    else
+        body.density = s.number("density", positive);
+}
+}  // namespace
+
+SceneBody read_body(TomlSection& s, const SceneFile& scene) {
+    SceneBody body;
+    body.place = s.place();
+    if (scene.method == Method::dfsph)
+        throw InvalidInput(body.place +
+                           ": expected bodies with method = \"sph\" or \"delta_sph\" only, found "
+                           "\"dfsph\"");
+    read_name(s, scene, body);
+    body.shape = read_shape(s, scene.dim);
+    if (body.shape.form == SolidShape::Form::plane)
+        s.reject("shape", "a shape that ends somewhere", "a plane");
+    read_mass(s, body);
+    body.velocity = s.vector("velocity", scene.dim, Vec<3>::Zero());
+    body.spin = Vec<3>::Zero();
+    if (scene.dim == 2)
+        body.spin[2] = s.number("spin", any_number, 0.0);
+    else
+        body.spin = s.vector("spin", 3, Vec<3>::Zero());
+    s.refuse_unknown_keys();
+    return body;
+}
+
+SceneEmitter read_emitter(TomlSection& s, const SceneFile& scene) {
+    SceneEmitter emitter;
+    emitter.place = s.place();
+    emitter.centre = s.vector("centre", scene.dim);
+    emitter.direction = read_direction(s, "direction", scene.dim);
+    emitter.radius = s.number("radius", positive);
+    if (emitter.radius < 0.5 * scene.spacing || (scene.dim == 3 && emitter.radius < scene.spacing))
+        s.reject("radius", "room for a particle: at least half of the spacing, in space all of it",
+                 std::to_string(emitter.radius));
+    emitter.speed = s.number("speed", positive);
+    emitter.until = s.optional_number("until", positive);
+    s.refuse_unknown_keys();
+    return emitter;
+}
+
+SolidShape read_outflow(TomlSection& s, const SceneFile& scene) {
+    SolidShape shape = read_shape(s, scene.dim);
+    s.refuse_unknown_keys();
+    return shape;
+}
+
 }  // namespace plumbline

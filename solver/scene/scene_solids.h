@@ -14,5 +14,11 @@ Vec<3> read_direction(TomlSection& s, const std::string& key, int dim);
 
 /// A table [[constraint]].
 SolidConstraint read_constraint(TomlSection& s, const SceneFile& scene);
+/// A table [[body]].
+SceneBody read_body(TomlSection& s, const SceneFile& scene);
+/// A table [[emitter]].
+SceneEmitter read_emitter(TomlSection& s, const SceneFile& scene);
+/// A table [[outflow]].
+SolidShape read_outflow(TomlSection& s, const SceneFile& scene);
 
 }  // namespace plumbline

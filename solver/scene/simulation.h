@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/foundation/errors.h"
+#include "solver/scene/open_flow.h"
 #include "solver/scene/scene_file.h"
 #include "solver/scene/time_step.h"
 
@@ -10,12 +11,29 @@
 
 namespace plumbline {
 
+/// A rigid body of any scene; in the plane vectors have z = 0, and what turns has only z.
+struct BodyState {
+    Vec<3> centre;    // of mass [m]
+    Vec<3> turn;      // since it was at rest: axis times angle [rad]
+    Vec<3> velocity;  // [m/s]
+    Vec<3> spin;      // [rad/s]
+    Vec<3> force;     // of the fluid [N]
+    Vec<3> torque;    // of the fluid, about the centre [N m]
+    double mass;      // [kg]; infinite if it is fixed
+};
+
 /// The particles of a simulation as arrays of numbers; valid until its next step.
 struct Snapshot {
     int dim;
-    std::span<const double> x, v;       // dim numbers for each particle [m], [m/s]
-    std::span<const double> m, rho, p;  // one for each [kg], [kg/m^dim], [Pa]
-    std::span<const double> ghosts;     // positions of the walls' particles [m]
+    std::span<const double> x, v;          // dim numbers for each particle [m], [m/s]
+    std::span<const double> m, rho, p;     // one for each [kg], [kg/m^dim], [Pa]
+    std::span<const double> ghosts;        // positions of the particles of walls and bodies [m]
+    std::span<const double> ghost_v = {};  // their velocities [m/s]
+    std::span<const Index> body_of_ghost =
+        {};  // for each ghost, from 0; of walls it is no body. Empty: all are
+    std::vector<BodyState> bodies = {};
+    EmitterState emitted = {};  // by all emitters together
+    OutflowState removed = {};  // through all outflows together
 
     std::size_t size() const { return m.size(); }
     double coordinate(std::size_t i, int axis) const {

@@ -5,7 +5,9 @@
 #include "solver/particles/jittered.h"
 #include "solver/particles/lattice.h"
 #include "solver/scene/grid_passes.h"
+#include "solver/scene/scene_bodies.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace plumbline {
@@ -148,6 +150,39 @@ template <int Dim> void add_plane(const SceneFile& scene, const Wall& wall, Star
         if (depth > 0.0 && depth < thickness) start.ghosts.push_back(x);
     }
 }
+
+template <int Dim> void add_body(const SceneFile& scene, const SceneBody& body, Start<Dim>& start) {
+    const RigidBody<Dim> at_start = body_at_start<Dim>(body).body;
+    for (const Vec<Dim>& x : ghosts_of<Dim>(body, scene.spacing, scene.wall_layers)) {
+        start.ghosts.push_back(x);
+        start.ghost_velocities.push_back(at_start.velocity_at(x));
+        start.body_of_ghost.push_back(static_cast<Index>(start.bodies.size()));
+        start.places.push_back(x - at_start.centre);
+    }
+    start.bodies.push_back(at_start);
+}
+
+/// Where a body is, there is no fluid.
+template <int Dim> void make_room(const SceneFile& scene, Start<Dim>& start) {
+    GhostPositions<Dim> of_bodies;
+    for (std::size_t k = 0; k < start.ghosts.size(); ++k)
+        if (start.body_of_ghost[k] != no_body) of_bodies.push_back(start.ghosts[k]);
+    GhostNeighbourhood<Dim> near;
+    FindGhostsInGrid<Dim>{0.7 * scene.spacing}.run(0.0, start.x, of_bodies, near);
+    std::vector<Shape<Dim>> shapes;
+    for (const SceneBody& body : scene.bodies) shapes.push_back(shape_of<Dim>(body.shape));
+    std::size_t kept = 0;
+    for (Index i = 0; i < start.x.size(); ++i) {
+        const bool is_in = std::ranges::any_of(shapes, [&](const Shape<Dim>& shape) {
+            return from_surface<Dim>(shape, start.x[i]).distance < 0.0;
+        });
+        if (is_in || !near.lists.of(i).empty()) continue;
+        start.x[kept] = start.x[i], start.v[kept] = start.v[i];
+        start.m[kept] = start.m[i], start.rho[kept] = start.rho[i];
+        ++kept;
+    }
+    start.x.resize(kept), start.v.resize(kept), start.m.resize(kept), start.rho.resize(kept);
+}
 }  // namespace
 
 template <int Dim> Start<Dim> start_of(const SceneFile& scene) {
@@ -160,6 +195,10 @@ template <int Dim> Start<Dim> start_of(const SceneFile& scene) {
             add_tank<Dim>(scene, wall, start);
         start.ghost_velocities.resize(start.ghosts.size(), flat<Dim>(wall.velocity));
     }
+    start.body_of_ghost.assign(start.ghosts.size(), no_body);
+    start.places.assign(start.ghosts.size(), Vec<Dim>::Zero());
+    for (const SceneBody& body : scene.bodies) add_body<Dim>(scene, body, start);
+    if (!scene.bodies.empty()) make_room<Dim>(scene, start);
     start.ghost_masses.assign(start.ghosts.size(), scene.density * mass_of_cell<Dim>(scene));
     require_apart<Dim>(scene, start);
     return start;
@@ -179,6 +218,32 @@ template <int Dim> Shape<Dim> shape_of(const SolidShape& solid) {
     return Cuboid<Dim>{flat<Dim>(solid.low), flat<Dim>(solid.high)};
 }
 
+template <int Dim> std::vector<Constraint<Dim>> solids_of(const SceneFile& scene) {
+    std::vector<Constraint<Dim>> all;
+    const auto add = [&](const Vec<3>& point, const Vec<3>& n) {
+        all.push_back({.shape = HalfSpace<Dim>{flat<Dim>(point), flat<Dim>(n)}});
+    };
+    for (const Wall& wall : scene.walls) {
+        if (wall.plane) add(wall.point, wall.normal);
+        for (int d = 0; d < Dim && !wall.plane; ++d) {
+            if (!wall.open[d][0]) add(wall.low, Vec<3>::Unit(d));
+            if (!wall.open[d][1]) add(wall.high, -Vec<3>::Unit(d));
+        }
+    }
+    for (const SolidConstraint& c : scene.constraints)
+        all.push_back(
+            {shape_of<Dim>(c.shape), c.hollow, c.restitution, c.friction, flat<Dim>(c.velocity)});
+    return all;
+}
+
+template <int Dim> double mass_of_particle(const SceneFile& scene) {
+    return scene.density * mass_of_cell<Dim>(scene);
+}
+
+template double mass_of_particle<2>(const SceneFile&);
+template double mass_of_particle<3>(const SceneFile&);
+template std::vector<Constraint<2>> solids_of<2>(const SceneFile&);
+template std::vector<Constraint<3>> solids_of<3>(const SceneFile&);
 template Shape<2> shape_of<2>(const SolidShape&);
 template Shape<3> shape_of<3>(const SolidShape&);
 template Start<2> start_of<2>(const SceneFile&);

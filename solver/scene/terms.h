@@ -9,10 +9,13 @@
 #include "solver/fluid/monaghan_viscosity.h"
 #include "solver/fluid/plain_pressure_force.h"
 #include "solver/fluid/pressure_force.h"
+#include "solver/fluid/rigid_coupling.h"
 #include "solver/kernels/wendland_c2.h"
 #include "solver/scene/enforce_constraints.h"
 #include "solver/scene/grid_passes.h"
 #include "solver/scene/one_of.h"
+#include "solver/scene/open_flow.h"
+#include "solver/scene/scene_bodies.h"
 #include "solver/scene/scene_file.h"
 #include "solver/scene/start.h"
 #include "solver/scene/time_step.h"
@@ -28,10 +31,9 @@ public:
     explicit Terms(const SceneFile& file) : file_{file}, w_{file.support} {}
 
     const W& kernel() const { return w_; }
-    /// `pass` if the scene has walls.
+    /// `pass` if the scene has ghosts.
     template <class Pass> Maybe<Pass> at_walls(Pass pass) const {
-        if (file_.walls.empty()) return Skip{};
-        return pass;
+        return only_if(has_ghosts(), std::move(pass));
     }
     template <class Pass> static Maybe<Pass> only_if(bool wanted, Pass pass) {
         if (!wanted) return Skip{};
@@ -59,25 +61,39 @@ public:
         }
     }
     Maybe<GhostViscosity<W>> wall_viscosity() const {
-        return only_if(file_.no_slip && !file_.walls.empty(), GhostViscosity<W>{w_, file_.mu});
+        return only_if(file_.no_slip && has_ghosts(), GhostViscosity<W>{w_, file_.mu});
     }
-    /// Each closed side of a tank is a plane without end, and so is a plane.
-    EnforceConstraints<Dim> constraints() const {
-        std::vector<Constraint<Dim>> all;
-        const auto add = [&](const Vec<3>& point, const Vec<3>& n) {
-            all.push_back({HalfSpace<Dim>{point.head<Dim>(), n.head<Dim>()}});
-        };
-        for (const Wall& wall : file_.walls) {
-            if (wall.plane) add(wall.point, wall.normal);
-            for (int d = 0; d < Dim && !wall.plane; ++d) {
-                if (!wall.open[d][0]) add(wall.low, Vec<3>::Unit(d));
-                if (!wall.open[d][1]) add(wall.high, -Vec<3>::Unit(d));
-            }
-        }
-        for (const SolidConstraint& c : file_.constraints)
-            all.push_back({shape_of<Dim>(c.shape), c.hollow, c.restitution, c.friction,
-                           c.velocity.head<Dim>()});
-        return {all};
+    EnforceConstraints<Dim> constraints() const { return {solids_of<Dim>(file_)}; }
+    /// `pass` if the scene has bodies.
+    template <class Pass> Maybe<Pass> at_bodies(Pass pass) const {
+        return only_if(!file_.bodies.empty(), std::move(pass));
+    }
+    Maybe<ViscosityOnBodies<W>> viscosity_on_bodies() const {
+        return only_if(file_.no_slip && !file_.bodies.empty(), ViscosityOnBodies<W>{w_, file_.mu});
+    }
+    /// Throws InvalidInput as require_bodies_apart does.
+    CollideBodies<Dim> contacts() const {
+        CollideBodies<Dim> contacts = contacts_of<Dim>(file_);
+        require_bodies_apart<Dim>(file_, contacts);
+        return contacts;
+    }
+    BodyLimit<Dim> body_limit() const { return {contacts_of<Dim>(file_).outlines, file_.spacing}; }
+    static OpenFlow<Dim> open_flow(const SceneFile& file) {
+        OpenFlow<Dim> flow;
+        for (const SceneEmitter& e : file.emitters)
+            flow.emitters.push_back({.centre = e.centre.head<Dim>(),
+                                     .direction = e.direction.head<Dim>(),
+                                     .radius = e.radius,
+                                     .speed = e.speed,
+                                     .until = e.until.value_or(HUGE_VAL),
+                                     .spacing = file.spacing,
+                                     .mass = mass_of_particle<Dim>(file),
+                                     .density = file.density});
+        for (const SolidShape& shape : file.outflows) flow.outflows.push_back(shape_of<Dim>(shape));
+        return flow;
+    }
+    template <class Hold> Maybe<Hold> hold_inflow() const {
+        return only_if(!file_.emitters.empty(), Hold{open_flow(file_).emitters, file_.support});
     }
     Maybe<Cohesion<Dim>> cohesion() const {
         return only_if(file_.cohesion > 0.0,
@@ -98,6 +114,8 @@ public:
     ForceLimit<Dim> force_limit() const { return {w_.support()}; }
 
 private:
+    bool has_ghosts() const { return !file_.walls.empty() || !file_.bodies.empty(); }
+
     const SceneFile& file_;
     W w_;
 };

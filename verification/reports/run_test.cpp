@@ -171,6 +171,33 @@ TEST_CASE("surfaces and pictures are written when asked for") {
     }
 }
 
+TEST_CASE("bodies, and what comes and goes, are in scalars, series and checkpoints") {
+    const SceneFolder folder;
+    folder.write(
+        "s.toml",
+        folder.read("s.toml") +
+            "[[body]]\nname = \"block\"\nshape = \"box\"\nlow = [0.7, 0]\nhigh = [0.8, 0.1]\n"
+            "density = 500\n[[emitter]]\ncentre = [0.3, 0.5]\ndirection = [0, -1]\n"
+            "radius = 0.05\nspeed = 2\n[[outflow]]\nshape = \"plane\"\npoint = [0.6, 0]\n"
+            "normal = [-1, 0]\n[domain]\nlow = [-1, -1]\nhigh = [2, 2]\n");
+    const ProgramRun run = folder.run({"-o", "whole", "--threads", "2"});
+    INFO(run.err);
+    REQUIRE(run.exit_code == 0);
+    const auto scalars = plumbline::CsvTable::read(folder.path() / "whole/scalars.csv");
+    CHECK(scalars.numbers("block_centre_x").front() == Approx(0.75));
+    CHECK(scalars.numbers("block_centre_y").back() == Approx(0.05).margin(1e-6));
+    CHECK(scalars.numbers("block_turn").back() == Approx(0.0).margin(1e-3));
+    CHECK(scalars.numbers("emitted").back() == 5.0 * 6.0);  // layers at 0, 0.01, ..., 0.05 s
+    CHECK(scalars.numbers("emitted_mass").back() == Approx(30.0 * 0.4));
+    CHECK(scalars.numbers("removed").back() > 0.0);
+    CHECK(scalars.numbers("particles").back() == 450.0 + 30.0 - scalars.numbers("removed").back());
+    CHECK(is_well_formed(folder, "whole/bodies.pvd"));
+    CHECK(plumbline::read_points(folder.path() / "whole/bodies/bodies_00003.vtp").size() == 25);
+    REQUIRE(folder.run({"-o", "pieces", "--steps", "30"}).exit_code == 0);
+    REQUIRE(folder.run({"-o", "pieces", "--continue"}).exit_code == 0);
+    check_equal_runs(folder, "whole", "pieces");
+}
+
 TEST_CASE("a run that ends makes a film of its pictures, with ffmpeg") {
     const SceneFolder folder;
     folder.write("s.toml", with(dam_break_scene(2, "sph", 0.02), "picture = \"none\"", ""));

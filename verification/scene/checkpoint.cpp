@@ -1,8 +1,10 @@
 #include "solver/scene/checkpoint.h"
 
+#include "solver/fluid/rigid_body.h"
 #include "solver/foundation/parallel.h"
 #include "solver/scene/enforce_constraints.h"
 #include "solver/scene/guarded_run.h"
+#include "solver/scene/open_flow.h"
 #include "verification/framework/registry.h"
 #include "verification/scene/scene_texts.h"
 
@@ -58,6 +60,41 @@ void forget_limits(const SceneFile&, std::string& bytes) {
                 sizeof limits);
 }
 
+/// The state with no layer of the first emitter out yet.
+void forget_emitters(const SceneFile& scene, std::string& bytes) {
+    const auto dim = static_cast<std::size_t>(scene.dim);
+    const std::size_t vector = dim * sizeof(double);
+    const std::size_t body = dim == 2 ? sizeof(RigidBody<2>) : sizeof(RigidBody<3>);
+    std::size_t at = 0;
+    for (const std::size_t size : {vector, vector, sizeof(double), sizeof(double), vector, vector,
+                                   sizeof(double), sizeof(Index), vector, body}) {
+        std::size_t n = 0;
+        std::memcpy(&n, bytes.data() + at, sizeof n);
+        at += sizeof n + n * size;
+    }
+    std::memset(bytes.data() + at + sizeof at, 0, sizeof(EmitterState));
+}
+
+/// A body that falls into the water and one that is pushed through it, fast fluid that comes, and some that goes.
+std::string busy(int dim) {
+    const auto at = [dim](const std::string& x, const std::string& up) {
+        return "[" + x + (dim == 2 ? ", " : ", 0.15, ") + up + "]";
+    };
+    return "[[body]]\nshape = \"sphere\"\ncentre = " + at("0.8", "0.2") +
+           "\nradius = 0.1\ndensity = 2000\nspin = " + (dim == 2 ? "1" : "[1, 2, 3]") +
+           "\n[[body]]\nshape = \"box\"\nfixed = true\nvelocity = " +
+           (dim == 2 ? "[1, 0]" : "[1, 0, 0]") +
+           "\nlow = " + (dim == 2 ? "[0.2, 0.1]" : "[0.2, 0.1, 0.1]") +
+           "\nhigh = " + (dim == 2 ? "[0.3, 0.2]" : "[0.3, 0.2, 0.2]") +
+           "\n[[emitter]]\ncentre = " + at("0.5", "0.45") +
+           "\ndirection = " + (dim == 2 ? "[0, 1]" : "[0, 0, 1]") +
+           "\nradius = 0.08\nspeed = 18\n" +
+           "[[outflow]]\nshape = \"box\"\nlow = " + (dim == 2 ? "[0.5, 0]" : "[0.5, 0, 0]") +
+           "\nhigh = " + (dim == 2 ? "[0.6, 0.1]" : "[0.6, 0.3, 0.1]") +
+           "\n[domain]\nlow = " + (dim == 2 ? "[-1, -1]" : "[-1, -1, -1]") +
+           "\nhigh = " + (dim == 2 ? "[2, 2]" : "[2, 2, 2]") + "\n";
+}
+
 double differences(const std::string& one, const std::string& other) {
     double different = one.size() == other.size() ? 0.0 : HUGE_VAL;
     for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k)
@@ -68,8 +105,8 @@ double differences(const std::string& one, const std::string& other) {
 using Forget = void (*)(const SceneFile&, std::string&);
 
 /// Bytes in which 6 steps differ from 3, a checkpoint, and 3 more; and 3 steps with one thread from 3 with two.
-double different_bytes(int dim, const std::string& method, Forget forget) {
-    const SceneFile scene = SceneFile::parse("scene", dam_break_scene(dim, method, 1.0));
+double different_bytes(int dim, const std::string& method, Forget forget, const std::string& more) {
+    const SceneFile scene = SceneFile::parse("scene", dam_break_scene(dim, method, 1.0) + more);
     const int threads = thread_count();
     set_thread_count(2);
     const State half_by_two = advanced(scene, {}, 3);
@@ -84,7 +121,7 @@ double different_bytes(int dim, const std::string& method, Forget forget) {
 }
 
 Claim continues(const std::string& id, int dim, const std::string& method, Forget forget,
-                const std::string& forgotten) {
+                const std::string& forgotten, const std::string& more = "") {
     return {.id = "checkpoint.continues_bit_for_bit_" + id,
             .source = {Paper::plumbline, "docstring of save_state"},
             .says = "6 steps are 3, a checkpoint, and 3 in a new simulation (" + method +
@@ -94,8 +131,8 @@ Claim continues(const std::string& id, int dim, const std::string& method, Forge
             .bound = at_most(0.0,
                              "the same operations on the same bits, and no sum depends on "
                              "the threads"),
-            .measure = [=] { return different_bytes(dim, method, nullptr); },
-            .sabotaged = [=] { return different_bytes(dim, method, forget); }};
+            .measure = [=] { return different_bytes(dim, method, nullptr, more); },
+            .sabotaged = [=] { return different_bytes(dim, method, forget, more); }};
 }
 
 const Register claims_of_checkpoint{
@@ -104,6 +141,8 @@ const Register claims_of_checkpoint{
     continues("dfsph_2d", 2, "dfsph", forget_velocities, "the velocities"),
     continues("dfsph_3d", 3, "dfsph", forget_velocities, "the velocities"),
     continues("sph_2d", 2, "sph", forget_limits, "the limits of the time step"),
-    continues("sph_3d", 3, "sph", forget_limits, "the limits of the time step")};
+    continues("sph_3d", 3, "sph", forget_limits, "the limits of the time step"),
+    continues("busy_2d", 2, "delta_sph", forget_emitters, "what emitters have done", busy(2)),
+    continues("busy_3d", 3, "delta_sph", forget_emitters, "what emitters have done", busy(3))};
 }  // namespace
 }  // namespace checkpoint_claims

@@ -51,5 +51,57 @@ TEST_CASE("constraints without sense are refused") {
     CHECK(complaint("[[constraint]]\nshape = \"sphere\"\ncentre = [0, 0]\nradius = 0\n")
               .find("a number > 0, found 0") != std::string::npos);
 }
+
+const std::string box = "[[body]]\nshape = \"box\"\nlow = [0.7, 0.1]\nhigh = [0.8, 0.2]\n";
+
+TEST_CASE("bodies are free or fixed, and have a name") {
+    const SceneFile scene = with_table(box + "density = 500\nspin = 2\n" + box +
+                                       "fixed = true\nvelocity = [1, 0]\nname = \"piston\"\n"
+                                       "[contact]\nrestitution = 0.5\n");
+    REQUIRE(scene.bodies.size() == 2);
+    CHECK(scene.bodies[0].name == "body_1");
+    CHECK(scene.bodies[0].density == 500.0);
+    CHECK(scene.bodies[0].spin == Vec<3>(0, 0, 2));
+    CHECK_FALSE(scene.bodies[0].fixed);
+    CHECK(scene.bodies[1].name == "piston");
+    CHECK(scene.bodies[1].fixed);
+    CHECK(scene.body_restitution == 0.5);
+}
+
+TEST_CASE("bodies without sense are refused") {
+    const auto says = [](const std::string& table, const std::string& what, int dim = 2) {
+        const std::string found = complaint(table, dim);
+        INFO(found);
+        CHECK(found.find(what) != std::string::npos);
+    };
+    says(box, "expected a key \"density\"");
+    says(box + "density = 500\nmass = 1\n", "without leaving out \"density\"");
+    says(box + "fixed = true\ndensity = 1\n", "without a body that is free");
+    says(box + "density = 500\nname = \"a,b\"\n", "a name without commas");
+    says(box + "density = 500\nname = \"a\"\n" + box + "density = 500\nname = \"a\"\n",
+         "\"a\" twice");
+    says("[[body]]\nshape = \"plane\"\npoint = [0, 0]\nnormal = [0, 1]\ndensity = 1\n",
+         "a shape that ends somewhere");
+    says(box + "density = 500\nspin = [0, 0, 1]\n", "expected a finite number");
+    CHECK_THROWS_WITH(
+        SceneFile::parse("s.toml", dam_break_scene(2, "dfsph", 1.0) + box + "density = 500\n"),
+        Catch::Contains("method = \"sph\" or \"delta_sph\" only"));
+}
+
+TEST_CASE("emitters need a domain and room for a particle") {
+    const std::string emitter =
+        "[[emitter]]\ncentre = [0.7, 0.3]\ndirection = [0, -2]\nspeed = 1\nuntil = 2\n";
+    const std::string domain = "[domain]\nlow = [-1, -1]\nhigh = [2, 2]\n";
+    const SceneFile scene = with_table(emitter + "radius = 0.1\n" + domain);
+    REQUIRE(scene.emitters.size() == 1);
+    CHECK(scene.emitters[0].direction == Vec<3>(0, -1, 0));
+    CHECK(scene.emitters[0].until == 2.0);
+    CHECK(complaint(emitter + "radius = 0.1\n").find("[domain]") != std::string::npos);
+    CHECK(complaint(emitter + "radius = 0.001\n" + domain).find("room for a particle") !=
+          std::string::npos);
+    CHECK(
+        with_table("[[outflow]]\nshape = \"box\"\nlow = [1, 0]\nhigh = [2, 1]\n").outflows.size() ==
+        1);
+}
 }  // namespace
 }  // namespace scene_solids_test
