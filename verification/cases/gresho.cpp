@@ -90,25 +90,25 @@ const Register claims_of_gresho{
           .bound = at_most(5.1e-9, "10 printed digits of numbers up to 5.77"),
           .measure = [] { return error_of_profiles(1.0); },
           .sabotaged = [] { return error_of_profiles(-1.0); }},
-    Claim{.id = "gresho.lasts",
-          .source = {Paper::literature, "Gresho and Chan 1990"},
-          .says = "mean |v_φ − exact| at t = 3, after more than two turns, with 16² particles; "
-                  "artificial "
-                  "viscosity with α = 0.1 in place of diffusion and shifting eats the vortex",
-          .bound = at_most(
-              0.125, "the target is half of the mean speed, 0.251: half of the vortex is left"),
-          .measure = [] { return error_of_gresho({.spacing = 1.0 / 16.0}, 3.0); },
-          .sabotaged = [] { return error_of_gresho(viscous(1.0 / 16.0, 0.1), 3.0); }},
+    Claim{
+        .id = "gresho.lasts",
+        .source = {Paper::literature, "Gresho and Chan 1990"},
+        .says =
+            "mean |v_φ − exact| at t = 3, after more than two turns, with 16² particles; "
+            "artificial viscosity with α = 0.1 in place of diffusion and shifting eats the vortex",
+        .bound = at_most(0.125,
+                         "the target is half of the mean speed, 0.251: half of the vortex is left"),
+        .measure = [] { return error_of_gresho({.spacing = 1.0 / 16.0}, 3.0); },
+        .sabotaged = [] { return error_of_gresho(viscous(1.0 / 16.0, 0.1), 3.0); }},
     Claim{.id = "gresho.finer_is_better",
           .source = {Paper::literature, "Gresho and Chan 1990"},
-          .says = "mean |v_φ − exact| at t = 1 with 20² particles over that with 10²; of "
-                  "artificial viscosity "
-                  "with α = 1, as for shocks, nothing is left of the vortex with either",
-          .bound =
-              at_most(0.71,
-                      "between 1/4, smoothing beside the kinks, and 1/2, disordered particles that "
-                      "have the velocity of a place beside theirs; 2^(−1/2) leaves room for "
-                      "the scatter of one run each"),
+          .says =
+              "mean |v_φ − exact| at t = 1 with 20² particles over that with 10²; of artificial "
+              "viscosity with α = 1, as for shocks, nothing is left of the vortex with either",
+          .bound = at_most(0.71,
+                           "between 1/4, smoothing beside the kinks, and 1/2, disordered particles "
+                           "that have the velocity of a place beside theirs; 2^(−1/2) leaves room "
+                           "for the scatter of one run each"),
           .measure =
               [] {
                   return error_of_gresho({.spacing = 1.0 / 20.0}, 1.0) /

@@ -96,7 +96,7 @@ Study study(int dim, std::vector<double> spacing, std::string_view why,
             .says =
                 "a Gaussian of heat spreads right to second order on a lattice, to first order on "
                 "disordered points",
-            .quantity = "temperature error, L2 at α t/s₀² = 0.05, over the spacing [s₀]",
+            .quantity = "temperature error, L2, over the spacing [s₀]",
             .spacing = std::move(spacing),
             .seeds = 1,
             .series = {{"lattice", between(1.5, 2.2, std::string(why))},
@@ -114,9 +114,8 @@ Study study_in_plane() {
     Study all = study(
         2, {1.0 / 8, 1.0 / 10, 1.0 / 12, 1.0 / 16, 1.0 / 24},
         "2: every sum smooths over h². Both ρ and Σ V (−ω′/r) x² miss 1 by 0.0004 for 5 spacings: "
-        "an error "
-        "of the diffusivity that stays, 2.4e-5, a quarter of the finest error, which takes as "
-        "much of the last order",
+        "an error of the diffusivity that stays, 2.4e-5, a quarter of the finest error, which "
+        "takes as much of the last order",
         [](double d, std::uint64_t seed) {
             auto errors = on_lattice<2>(in_plane, d);
             errors.push_back(
@@ -124,11 +123,10 @@ Study study_in_plane() {
             return errors;
         });
     all.seeds = 4;
-    all.series.push_back(
-        {"moved by 0.3 spacings",
-         between(0.7, 1.3,
-                 "1: where the sums are lopsided, a particle has the temperature of a place beside "
-                 "it, a fraction of the spacing away")});
+    all.series.push_back({"moved by 0.3 spacings",
+                          between(0.7, 1.3,
+                                  "1: where the sums are lopsided, a particle has the temperature "
+                                  "of a place beside it, a fraction of the spacing away")});
     return all;
 }
 
@@ -136,9 +134,8 @@ const Register claims_of_gaussian{
     claim_of_disorder<2>(in_plane), claim_of_disorder<3>(in_space), study_in_plane(),
     study(3, {1.0 / 4, 1.0 / 5, 1.0 / 6, 1.0 / 7, 1.0 / 8, 1.0 / 10},
           "2: every sum smooths over h². ρ misses 1 by 0.0005 and Σ V (−ω′/r) x² by 0.0011 for 4 "
-          "spacings: an "
-          "error of the diffusivity that stays, a seventh of the finest error, which takes as much "
-          "of the last order",
+          "spacings: an error of the diffusivity that stays, a seventh of the finest error, which "
+          "takes as much of the last order",
           [](double d, std::uint64_t) { return on_lattice<3>(in_space, d); })};
 }  // namespace
 }  // namespace heat_gaussian_claims

@@ -75,12 +75,11 @@ const Register claims_of_slabs{
     Claim{.id = "heat_slabs.harmonic_mean",
           .source = {Paper::literature, "Cleary and Monaghan 1999"},
           .says = "temperature error, L2, of two slabs of conductivities 1 and 10, 25 particles "
-                  "per unit; with "
-                  "the arithmetic mean the contact is three times as thin as it is",
+                  "per unit; with the arithmetic mean the contact is three times as thin as it is",
           .bound = at_most(
               0.0094,
-              "smoothing: k t T⁗ Σ V (−ω′/r) x⁴/12 = 0.01 · 0.0175 h² T⁗ with h = 4/25 and T⁗ = "
-              "2 · 0.76 · 0.55/(2 k t)² at the worst place, of a step of the height 2 · 0.76"),
+              "smoothing: k t T⁗ Σ V (−ω′/r) x⁴/12 = 0.01 · 0.0175 h² T⁗ with h = 4/25 and T⁗ = 2 "
+              "· 0.76 · 0.55/(2 k t)² at the worst place, of a step of the height 2 · 0.76"),
           .measure = [] { return error(1.0 / 25.0, nullptr); },
           .sabotaged = [] { return error(1.0 / 25.0, arithmetic); }},
     Study{
@@ -89,23 +88,21 @@ const Register claims_of_slabs{
         .says =
             "heat through a jump of the conductivity from 1 to 10: to first order in the end, with "
             "the harmonic mean as with the arithmetic one, whose error is ten times as large; with "
-            "no "
-            "mean, each particle by its own conductivity, the flux jumps, and nothing converges",
-        .quantity = "temperature error, L2 at α t = 0.01 m², over the spacing [m]",
+            "no mean, each particle by its own conductivity, the flux jumps, and nothing converges",
+        .quantity = "temperature error, L2, over the spacing [m]",
         .spacing = {1.0 / 20, 1.0 / 25, 1.0 / 30, 1.0 / 35},
         .seeds = 1,
-        .series =
-            {{"harmonic mean",
-              between(0.7, 2.3,
-                      "2 as long as smoothing over h² is most of it, 1 once the layer of pairs "
-                      "across the contact is, whose breadth is h: their flux is right on the "
-                      "whole, not one by one")},
-             {"arithmetic mean",
-              between(0.7, 1.3,
-                      "1: pairs across conduct (k₁ + k₂)²/(4 k₁ k₂) = 3 times as much as they "
-                      "should, in a layer of breadth h")},
-             {"its own conductivity", between(0.7, 2.3, "a wrong flux: no convergence"), false,
-              true}},
+        .series = {{"harmonic mean",
+                    between(0.7, 2.3,
+                            "2 as long as smoothing over h² is most of it, 1 once the layer of "
+                            "pairs across the contact is, whose breadth is h: their flux is right "
+                            "on the whole, not one by one")},
+                   {"arithmetic mean",
+                    between(0.7, 1.3,
+                            "1: pairs across conduct (k₁ + k₂)²/(4 k₁ k₂) = 3 times as much as "
+                            "they should, in a layer of breadth h")},
+                   {"its own conductivity", between(0.7, 2.3, "a wrong flux: no convergence"),
+                    false, true}},
         .errors = [](double spacing, std::uint64_t) {
             return std::vector{error(spacing, nullptr), error(spacing, arithmetic),
                                error(spacing, its_own)};

@@ -37,9 +37,8 @@ double moved_error(double spacing, std::uint64_t seed, Term term) {
 
 constexpr auto smooths =
     "2: every sum smooths over h². ρ and the second moment of the sums miss 1 by 0.0004 each for 5 "
-    "spacings, "
-    "a tenth of the finest error, which takes as much of the last order; where h is a fifth of the "
-    "box, terms of h⁴ take some of the first";
+    "spacings, a tenth of the finest error, which takes as much of the last order; where h is a "
+    "fifth of the box, terms of h⁴ take some of the first";
 
 const Register claims_of_manufactured_flow{
     Claim{.id = "manufactured_flow.fields",
@@ -48,33 +47,30 @@ const Register claims_of_manufactured_flow{
           .bound = at_most(1e-12, "14 printed digits of numbers up to 10: 5e-13, and its rounding"),
           .measure = [] { return error_of_fields(1.0); },
           .sabotaged = [] { return error_of_fields(-1.0); }},
-    Claim{
-        .id = "manufactured_flow.averaged_pressure",
-        .source = {Paper::adams2009, "Sec. 6.1"},
-        .says =
-            "one evaluation of the averaged pressure force over that of Eq. 51 on a lattice, mean "
-            "errors; with the 1/2 of the text half of the force is missing",
-        .bound = between(1.0 - 1e-6, 1.0 + 1e-6,
-                         "on a lattice all densities are one but for rounding, 1e-15: both "
-                         "formulas are the same"),
-        .measure =
-            [] {
-                return mean_error(1.0 / 24, Term::averaged_pressure) /
-                       mean_error(1.0 / 24, Term::pressure);
-            },
-        .sabotaged =
-            [] {
-                return mean_error(1.0 / 24, Term::printed_averaged_pressure) /
-                       mean_error(1.0 / 24, Term::pressure);
-            },
-        .erratum = 61},
+    Claim{.id = "manufactured_flow.averaged_pressure",
+          .source = {Paper::adams2009, "Sec. 6.1"},
+          .says = "one evaluation of the averaged pressure force over that of Eq. 51 on a lattice, "
+                  "mean errors; with the 1/2 of the text half of the force is missing",
+          .bound = between(1.0 - 1e-6, 1.0 + 1e-6,
+                           "on a lattice all densities are one but for rounding, 1e-15: both "
+                           "formulas are the same"),
+          .measure =
+              [] {
+                  return mean_error(1.0 / 24, Term::averaged_pressure) /
+                         mean_error(1.0 / 24, Term::pressure);
+              },
+          .sabotaged =
+              [] {
+                  return mean_error(1.0 / 24, Term::printed_averaged_pressure) /
+                         mean_error(1.0 / 24, Term::pressure);
+              },
+          .erratum = 61},
     Study{
         .id = "manufactured_flow.one_evaluation_on_a_lattice",
         .source = source,
         .says = "what forces are off by on a lattice, given the exact fields; with half of the "
-                "averaged pressure "
-                "force, as printed, they do not converge",
-        .quantity = "‖a − exact‖ at t = 0 [m/s²] (of viscosity for ν = 1), over the spacing [m]",
+                "averaged pressure force, as printed, they do not converge",
+        .quantity = "‖a − exact‖ [m/s²], ν = 1, over the spacing [m]",
         .spacing = {1.0 / 24, 1.0 / 32, 1.0 / 40, 1.0 / 48, 1.0 / 64},
         .seeds = 1,
         .series = {{"pressure, Eq. 51, mean", between(1.6, 2.2, smooths)},
@@ -94,24 +90,23 @@ const Register claims_of_manufactured_flow{
         .id = "manufactured_flow.one_evaluation_of_perturbed_points",
         .source = source,
         .says = "where particles are moved by up to 0.2 spacings, one evaluation is no better for "
-                "finer "
-                "spacings: the divergence is off by a share of itself, viscosity by more and more",
-        .quantity = "mean |error| at t = 0: of dρ/dt/ρ [1/s], of forces for ν = 1 [m/s²], over the "
-                    "spacing [m]",
+                "finer spacings: the divergence is off by a share of itself, viscosity by more and "
+                "more",
+        .quantity = "mean |error| [1/s], [m/s²], over the spacing [m]",
         .spacing = {1.0 / 24, 1.0 / 32, 1.0 / 40, 1.0 / 48, 1.0 / 64},
         .seeds = 3,
-        .series = {{"continuity",
-                    between(
-                        -0.25, 0.25,
-                        "0: its sums are lopsided by what h/spacing decides, of first derivatives"),
-                    true},
-                   {"viscosity of Monaghan",
-                    between(-1.3, -0.7,
-                            "−1: first derivatives, times sums that are lopsided as 1/h and should "
-                            "cancel")},
-                   {"continuity without vᵢ",
-                    between(-0.25, 0.25, "a velocity, times sums that are lopsided as 1/h: −1"),
-                    true, true}},
+        .series =
+            {{"continuity",
+              between(-0.25, 0.25,
+                      "0: its sums are lopsided by what h/spacing decides, of first derivatives"),
+              true},
+             {"viscosity of Monaghan",
+              between(
+                  -1.3, -0.7,
+                  "−1: first derivatives, times sums that are lopsided as 1/h and should cancel")},
+             {"continuity without vᵢ",
+              between(-0.25, 0.25, "a velocity, times sums that are lopsided as 1/h: −1"), true,
+              true}},
         .errors =
             [](double d, std::uint64_t seed) {
                 return std::vector{moved_error(d, seed, Term::continuity),
@@ -120,19 +115,20 @@ const Register claims_of_manufactured_flow{
             }},
     Study{.id = "manufactured_flow.error_over_spacing",
           .source = source,
-          .says =
-              "a flow that its force drives to the exact one converges, from a lattice and from "
-              "perturbed "
-              "points, since particles move to where sums are less lopsided; without the force not",
-          .quantity = "mean ‖v − exact‖ / e^(−t) at t = 0.5, over the spacing [m]",
+          .says = "a flow that its force drives to the exact one converges, from a lattice and "
+                  "from perturbed points, since particles move to where sums are less lopsided; "
+                  "without the force not",
+          .quantity = "mean ‖v − exact‖ / e^(−1/2), over the spacing [m]",
           .spacing = {1.0 / 12, 1.0 / 16, 1.0 / 20, 1.0 / 24, 1.0 / 32, 1.0 / 48},
           .seeds = 1,
-          .series = {{"from a lattice", between(0.8, 2.4,
-                                                "2: every sum smooths over h²; where particles lie "
-                                                "irregularly, an error that depends on h/spacing "
-                                                "alone takes part of it")},
-                     {"moved by 0.2 spacings", between(0.8, 2.4, "as before")},
-                     {"without the force", between(0.8, 2.4, "another flow"), false, true}},
+          .series =
+              {{"from a lattice",
+                between(
+                    0.8, 2.4,
+                    "2: every sum smooths over h²; where particles lie irregularly, an error that "
+                    "depends on h/spacing alone takes part of it, the more the finer the spacing")},
+               {"moved by 0.2 spacings", between(0.8, 2.4, "as before")},
+               {"without the force", between(0.8, 2.4, "another flow"), false, true}},
           .errors = [](double d, std::uint64_t) {
               return std::vector{errors_of_run({.spacing = d}).mean,
                                  errors_of_run({.spacing = d, .jitter = 0.2}).mean,
