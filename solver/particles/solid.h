@@ -88,5 +88,6 @@ template <class S> struct Cavity {
         return {-inside.distance, -inside.normal};
     }
 };
+template <class S> Cavity(S) -> Cavity<S>;
 
 }  // namespace plumbline
