@@ -13,6 +13,12 @@ std::string short_number(const Json& value) {
     return value.is_number() ? fmt::format("{:.3g}", value.get<double>()) : "none";
 }
 
+std::string in_words(const Json& numbers) {
+    std::string text;
+    for (const Json& n : numbers) text += (text.empty() ? "" : ", ") + short_number(n);
+    return text;
+}
+
 std::string order_in_words(double order) {
     const std::string text = fmt::format("{:.1f}", order);
     return text == "-0.0" ? "0.0" : text;

@@ -9,6 +9,9 @@ namespace reports {
 /// A number for people: "1.23e-05", "12", "0.5", "∞"; "none" for null.
 std::string short_number(const Json& value);
 
+/// "1.2, 1.3, none" of a list.
+std::string in_words(const Json& numbers);
+
 /// An order for a sentence, one digit after the point; what rounds to zero has no sign.
 std::string order_in_words(double order);
 

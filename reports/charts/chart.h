@@ -32,6 +32,7 @@ struct Chart {
         static constexpr int black = 9;        // such an index
         std::vector<std::string> labels = {};  // beside each point; empty: none
         std::vector<Outline> outlines = {};    // closed curves around its points: their spread
+        bool shaded = false;                   // what they enclose is grey
         bool markers = true;                   // on the line; without them it is a curve
         bool in_key = true;                    // the legend names it
         bool open = false;                     // markers are outlines

@@ -45,6 +45,7 @@ Json json_of(const Chart::Series& s) {
                  {"outlines", Json::array()}};
     for (const Chart::Outline& o : s.outlines)
         json["outlines"].push_back({{"x", numbers(o.x)}, {"y", numbers(o.y)}});
+    if (s.shaded) json["shaded"] = true;
     if (s.style) json["style"] = *s.style;
     if (!s.markers) json["markers"] = false;
     if (!s.in_key) json["in_key"] = false;
@@ -62,6 +63,7 @@ Chart::Series series_from(const Json& json) {
                     .style = {},
                     .labels = json.value("labels", std::vector<std::string>{}),
                     .outlines = {},
+                    .shaded = json.value("shaded", false),
                     .markers = json.value("markers", true),
                     .in_key = json.value("in_key", true),
                     .open = json.value("open", false)};

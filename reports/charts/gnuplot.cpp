@@ -206,7 +206,11 @@ std::vector<std::string> plots_of(const Chart::Series& s, int index, const Block
     } else {
         plots.push_back(fmt::format("NaN with points {} {}", point, title));
     }
-    if (!blocks.outlines.empty())
+    if (!blocks.outlines.empty() && s.shaded)
+        plots.insert(plots.begin(), fmt::format("$outlines{} using 1:2 with filledcurves closed lc "
+                                                "rgb '#dddddd' fs solid noborder notitle",
+                                                index));
+    else if (!blocks.outlines.empty())
         plots.push_back(fmt::format("$outlines{} using 1:2 with lines lc rgb '{}' lw 1.2 notitle",
                                     index, style.colour));
     if (!blocks.rim.empty()) {

@@ -13,11 +13,11 @@
 #include "solver/particles/samplings.h"
 #include "verification/framework/registry.h"
 #include "verification/framework/traceability.h"
+#include "verification/framework/validation.h"
 #include "verification/stability/map.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -138,13 +138,6 @@ Json searches() {
     return all;
 }
 
-Json validations() {
-    std::vector<verification::Claim> against_experiment;
-    for (const verification::Claim& claim : verification::claims())
-        if (std::ranges::count(claim.tags, "validation") > 0) against_experiment.push_back(claim);
-    return described(against_experiment);
-}
-
 Json scenes() {
     Json all = Json::array();
     for (const ExampleScene& s : example_scenes()) {
@@ -161,7 +154,7 @@ struct Kind {
 constexpr Kind kinds[] = {{"claims", [] { return described(verification::claims()); }},
                           {"studies", [] { return described(verification::studies()); }},
                           {"maps", [] { return described(verification::maps()); }},
-                          {"validations", validations},
+                          {"validations", [] { return described(verification::validations()); }},
                           {"errata", errata},
                           {"statements", statements},
                           {"methods", methods},

@@ -93,18 +93,6 @@ double deviation_of_shape(bool mistaken) {
     return best;
 }
 
-/// |E| / u_val at T = 2.65, ASME V&V 20: E = S − D, u_val² = u_num² + u_input² + u_D².
-double validation_metric(bool mistaken) {
-    const std::vector<double> T{2.65};
-    constexpr double measured = 3.22, u_measured = 0.042, u_release = 0.1 * 1.319;
-    std::vector<double> levels;
-    for (const int n : {8, 10, 12}) levels.push_back(weakly_compressible(n, T, mistaken)[0]);
-    const auto [low, high] = std::ranges::minmax(levels);
-    const double u_numerical = 3.0 * 0.5 * (high - low);
-    return std::abs(levels.back() - measured) /
-           std::sqrt(u_numerical * u_numerical + u_measured * u_measured + u_release * u_release);
-}
-
 const Register claims_of_dam_break{
     Claim{.id = "dam_break.front",
           .source = {Paper::literature, "Martin and Moyce 1952, Table 6"},
@@ -129,15 +117,6 @@ const Register claims_of_dam_break{
                            "%: 2.9 % together, and twice that for what floor and gate do"),
           .measure = [] { return deviation_of_shape(false); },
           .sabotaged = [] { return deviation_of_shape(true); },
-          .tags = {"validation"}},
-    Claim{.id = "dam_break.is_validated",
-          .source = {Paper::literature, "Martin and Moyce 1952; ASME V&V 20"},
-          .says =
-              "front at T = 2.65: |E|/u_val, u_num from three levels, u_D = 0.042, u_input that "
-              "of a release at ± 0.1 in T",
-          .bound = at_most(1.0, "within the uncertainty of both, no error of the model is seen"),
-          .measure = [] { return validation_metric(false); },
-          .sabotaged = [] { return validation_metric(true); },
           .tags = {"validation"}}};
 
 double front_error(int particles_per_base, const DamBreak<2>& how) {
