@@ -14,17 +14,18 @@ using namespace plumbline;
 using namespace verification;
 
 constexpr const char *plain = "WCSPH", *delta = "delta-SPH", *shifted = "shifted delta-SPH",
-                     *dfsph = "DFSPH";
+                     *dfsph = "DFSPH", *projected = "shifted projection";
 
 double taylor_green(const FluidCandidate& c) {
     constexpr double duration = 0.5;
     const TaylorGreen flow{.spacing = 1.0 / c.resolution,
-                           .shifting = c.method == shifted ? 20.0 : 0.0,
+                           .shifting = c.method == shifted || c.method == projected ? 20.0 : 0.0,
                            .support = c.support_in_spacings,
                            .speed_of_sound = c.sound,
                            .diffusion = c.method == plain ? 0.0 : 0.1,
                            .courant = c.courant};
-    if (c.method == dfsph) return simulate_incompressible(flow, duration).velocity;
+    if (c.method == dfsph || c.method == projected)
+        return simulate_incompressible(flow, duration).velocity;
     if (c.kernel == "cubic_spline") return simulate<CubicSpline>(flow, duration).velocity;
     if (c.kernel == "wendland_c4") return simulate<WendlandC4>(flow, duration).velocity;
     return simulate<WendlandC2>(flow, duration).velocity;
@@ -82,7 +83,9 @@ const std::vector<FluidTask>& all_fluid_tasks() {
           {shifted, "cubic_spline", 0, 3.0, 10.0, 0.4},
           {shifted, "wendland_c2", 0, 4.0, 20.0, 0.4},
           {shifted, "wendland_c2", 0, 4.0, 10.0, 0.2},
-          {dfsph, "cubic_spline", 0, 2.0, 0.0, 0.4},
+          {shifted, "wendland_c2", 0, 4.0, 7.0, 0.3},
+          {projected, "cubic_spline", 0, 4.0, 0.0, 0.4},
+          {projected, "cubic_spline", 0, 3.0, 0.0, 0.4},
           {dfsph, "cubic_spline", 0, 2.6, 0.0, 0.4}},
          taylor_green},
         {"hydrostatic",

@@ -62,8 +62,8 @@ public:
         }
     }
 
-    Points<Dim> walls;                  // Σₖ mₖ ∇ᵢωᵢₖ over ghosts k
-    std::vector<double> flow_of_walls;  // Σₖ mₖ vₖ·∇ᵢωᵢₖ
+    Points<Dim> walls;                  // 2 Σₖ mₖ ∇ᵢωᵢₖ over ghosts k
+    std::vector<double> flow_of_walls;  // 2 Σₖ mₖ vₖ·∇ᵢωᵢₖ
     std::vector<double> factors;        // αᵢ of CollectGradients
 
 private:
@@ -74,9 +74,12 @@ private:
 };
 
 /// Fills PairGradients, for the positions and the ghosts' velocities of the step, with
-/// αᵢ = 1 / (‖Σⱼ mⱼ ∇ᵢωᵢⱼ + Σₖ mₖ ∇ᵢωᵢₖ‖² + Σⱼ mᵢ mⱼ ‖∇ᵢωᵢⱼ‖²), over particles j and ghosts k, 0 where nothing is near:
+/// αᵢ = 1 / (‖Σⱼ mⱼ ∇ᵢωᵢⱼ + 2 Σₖ mₖ ∇ᵢωᵢₖ‖² + Σⱼ mᵢ mⱼ ‖∇ᵢωᵢⱼ‖²), over particles j and ghosts k, 0 where nothing is near:
 /// an impulse P of pressure of particle i lowers its dρᵢ/dt by P/αᵢ. Ghosts stay where they are, hence they are not
-/// in the second sum.                                        Bender and Koschier 2017, Eqs. 8, 11
+/// in the second sum. They count twice: each has the pressure of the particle that feels it, as in
+/// GhostPressureForce, so that p goes on up to the wall; and its velocity mirrored at the wall, so that what pressures do
+/// to velocities stays the adjoint of what velocities do to densities.
+///                                                               Bender and Koschier 2017, Eqs. 8, 11
 template <RadialKernel K, class Real = double, class Space = OpenSpace<K::dim>>
 struct CollectGradients {
     static constexpr int dim = K::dim;
@@ -105,7 +108,7 @@ struct CollectGradients {
             double flow = 0.0;
             pairs.walls[i] =
                 near_ghosts.template sum<Vec<dim>>(x, i, ghosts, [&](const auto& n) -> Vec<dim> {
-                    Vec<dim> g = m_ghost[n.j] * gradient(w, n);
+                    Vec<dim> g = 2.0 * m_ghost[n.j] * gradient(w, n);
                     flow += g.dot(v_ghost[n.j]);
                     return g;
                 });

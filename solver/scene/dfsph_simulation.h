@@ -48,6 +48,7 @@ template <int Dim> std::unique_ptr<Simulation> make_dfsph(const SceneFile& file)
                      ForceLimit<Dim>{file.support, force_fraction},
                      named("forces", Kick<Dim>{}),
                      named("pressure", ConstantDensity<Dim, Real>{file.density}),
+                     named("pressure of divergence", AddPressureOfDivergence{}),
                      named("inflow", terms.template hold_inflow<SetInflow<Dim>>()),
                      named("time step", Drift<Dim>{}),
                      named("constraints", terms.constraints()),

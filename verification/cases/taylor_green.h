@@ -92,8 +92,9 @@ TaylorGreenErrors simulate(const TaylorGreen& c, double duration) {
     return result;
 }
 
-/// The same by DFSPH, with the cubic spline and no shifting; particles move by at most `courant` spacings per step.
-/// Its pressures only push, so vortices, which need a pull, open holes.
+/// The same by DFSPH with the cubic spline, particles moving by at most `courant` spacings per step. Without shifting its
+/// pressures only push: vortices, which need a pull, open holes. With shifting they may pull, and nothing but shifting
+/// corrects densities.
 TaylorGreenErrors simulate_incompressible(const TaylorGreen& c, double duration);
 
 }  // namespace verification

@@ -18,14 +18,17 @@ constexpr double rho0 =
     0.7;  // less than the density inside, so that there is something to push apart
 template <int Dim> using W = WendlandC2<Dim>;
 /// What is done to the solve, to see that it would be noticed.
-enum class Fault { none, no_walls, factors };
+enum class Fault { none, no_walls, half_walls };
 
-template <int Dim> struct SpoilFactors {
+/// Ghosts that count once in the solve.
+template <int Dim> struct HalveWalls {
     using Reads = Quantities<>;
     using Writes = Quantities<PairGradients<double, Dim>>;
-    double factor;
+    bool wanted;
     void run(double, PairGradients<double, Dim>& pairs) const {
-        for (double& alpha : pairs.factors) alpha *= factor;
+        if (!wanted) return;
+        for (auto& wall : pairs.walls) wall *= 0.5;
+        for (double& flow : pairs.flow_of_walls) flow *= 0.5;
     }
 };
 
@@ -65,17 +68,17 @@ template <int Dim> struct Heap {
 template <int Dim, template <int, class> class Solver>
 std::vector<Vec<Dim>> solved(const Heap<Dim>& heap, Fault fault) {
     auto scene = heap.scene(fault != Fault::no_walls, CollectGradients<W<Dim>>{W<Dim>(h)},
-                            SpoilFactors<Dim>{fault == Fault::factors ? 4.0 : 1.0},
+                            HalveWalls<Dim>{fault == Fault::half_walls},
                             Solver<Dim, double>{rho0, {.tolerance = tolerance, .most = 2000}});
     scene.step(dt);
     return scene.template get<Velocities<Dim>>();
 }
-/// Σ max(0, error(ρᵢ, dρᵢ/dt)) / n for these velocities, by the passes of weakly compressible fluids.
+/// Σ max(0, error(ρᵢ, dρᵢ/dt)) / n for these velocities, by the passes of weakly compressible fluids; ghosts count twice.
 template <int Dim, class Error>
 double mean_error(Heap<Dim> heap, const std::vector<Vec<Dim>>& v, Error error) {
     heap.drop.v = v;
-    auto scene =
-        heap.scene(true, Continuity<W<Dim>>{W<Dim>(h)}, GhostContinuity<W<Dim>>{W<Dim>(h)});
+    auto scene = heap.scene(true, Continuity<W<Dim>>{W<Dim>(h)}, GhostContinuity<W<Dim>>{W<Dim>(h)},
+                            GhostContinuity<W<Dim>>{W<Dim>(h)});
     scene.step(dt);
     const auto& rho = scene.template get<Density>();
     const auto& rate = scene.template get<Rate<Density>>();
@@ -125,15 +128,15 @@ const Register density{in_dimensions<2, 3>([]<int D>() {
                  .sabotaged = [] { return error_of_density<D>(Fault::no_walls); }};
 })};
 const Register divergence{in_dimensions<2, 3>([]<int D>() {
-    return Claim{.id = "dfsph.divergence_after_the_solve",
-                 .source = {Paper::literature, "Bender and Koschier 2017, Algorithm 2"},
-                 .says =
-                     "mean of max(0, Δt dρ/dt)/ρ₀ where the fluid is dense; with factors α that "
-                     "are 4 times too large, as without most of their second sum, the "
-                     "iteration does not converge",
-                 .bound = at_most(1.001 * tolerance, its_own_tolerance),
-                 .measure = [] { return error_of_divergence<D>(Fault::none); },
-                 .sabotaged = [] { return error_of_divergence<D>(Fault::factors); }};
+    return Claim{
+        .id = "dfsph.divergence_after_the_solve",
+        .source = {Paper::literature, "Bender and Koschier 2017, Algorithm 2"},
+        .says =
+            "mean of max(0, Δt dρ/dt)/ρ₀ where the fluid is dense; with ghosts that count once in "
+            "the solve too much of the floor's motion is left",
+        .bound = at_most(1.001 * tolerance, its_own_tolerance),
+        .measure = [] { return error_of_divergence<D>(Fault::none); },
+        .sabotaged = [] { return error_of_divergence<D>(Fault::half_walls); }};
 })};
 const Register momentum{in_dimensions<2, 3>([]<int D>() {
     return Claim{.id = "dfsph.conserves_momentum",

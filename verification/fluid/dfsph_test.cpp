@@ -79,6 +79,32 @@ TEST_CASE("not a number is a failure, not a success") {
     CHECK(scene.get<DensityReport>().failures == 1);
 }
 
+/// Factors that promise too much, as with most of their second sum left out.
+struct SpoilFactors {
+    using Reads = Quantities<>;
+    using Writes = Quantities<PairGradients<double, 2>>;
+    void run(double, PairGradients<double, 2>& pairs) const {
+        for (double& alpha : pairs.factors) alpha *= 16.0;
+    }
+};
+
+TEST_CASE("a solve that goes too far finds how far it may go") {
+    Scene scene{Given<Positions<2>, Velocities<2>, Masses>{},
+                Given<GhostPositions<2>, GhostVelocities<2>, GhostMasses>{},
+                FindNeighbours<2, Search>{2.0},
+                FindGhosts<2, Search>{2.0},
+                SphDensity<W>{W(2.0)},
+                CollectGradients<W>{W(2.0)},
+                SpoilFactors{},
+                ConstantDensity<2>{0.5, {.tolerance = 1e-9, .most = 1000}}};
+    scene.get<Positions<2>>().assign(three.begin(), three.end());
+    scene.get<Velocities<2>>().assign(three.size(), Vec<2>::Zero());
+    scene.get<Masses>().assign(three.size(), 1.0);
+    scene.step(0.1);
+    CHECK(scene.get<DensityReport>().converged);
+    CHECK(scene.get<DensityStep>().length < 1.0 / 16.0);
+}
+
 TEST_CASE("a warm start takes fewer iterations") {
     std::vector<Vec<2>> block;
     for (int a = 0; a < 6; ++a)
