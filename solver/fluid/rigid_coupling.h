@@ -34,9 +34,18 @@ template <int Dim> struct CarryGhosts {
     }
 };
 
-/// F = −Σ Fᵢₖ and T = Σ (xₖ − X) × (−Fᵢₖ) over the ghosts k of a body and the particles i near them, Fᵢₖ the forces that
+/// F = 0, T = 0: before the passes that add what the fluid does to bodies.
+template <int Dim> struct ForgetForces {
+    using Reads = Quantities<>;
+    using Writes = Quantities<RigidBodies<Dim>>;
+    void run(double, RigidBodies<Dim>& bodies) const {
+        for (RigidBody<Dim>& body : bodies) body.force.setZero(), body.torque.setZero();
+    }
+};
+
+/// F += −Σ Fᵢₖ and T += Σ (xₖ − X) × (−Fᵢₖ) over the ghosts k of a body and the particles i near them, Fᵢₖ the forces that
 /// GhostPressureForce gives to particles: what the fluid gets, the body loses. adams2009 Sec. 6.3; Akinci et al. 2012
-/// Forces of before are forgotten.
+/// After ForgetForces.
 template <RadialKernel K, class Space = OpenSpace<K::dim>> struct PressureOnBodies {
     static constexpr int dim = K::dim;
     using Reads = Quantities<Positions<dim>, Masses, Density, Pressure, GhostPositions<dim>,
@@ -48,9 +57,8 @@ template <RadialKernel K, class Space = OpenSpace<K::dim>> struct PressureOnBodi
              const Pressure& p, const GhostPositions<dim>& ghosts, const GhostMasses& m_ghost,
              const BodyOfGhost& of, const GhostNeighbourhood<dim, Space>& near,
              RigidBodies<dim>& bodies) const {
-        for (RigidBody<dim>& body : bodies) body.force.setZero(), body.torque.setZero();
-        for (Index i = 0; i < x.size();
-             ++i) {  // in one order, for sums that do not depend on threads
+        // In one order, for sums that do not depend on threads.
+        for (Index i = 0; i < x.size(); ++i) {
             if (p[i] <= 0.0) continue;
             near.template sum<double>(x, i, ghosts, [&](const auto& n) -> double {
                 if (of[n.j] == no_body) return 0.0;
@@ -65,7 +73,7 @@ template <RadialKernel K, class Space = OpenSpace<K::dim>> struct PressureOnBodi
 
 /// Adds −Fᵢₖ, Fᵢₖ the forces that GhostViscosity gives to particles, and (xᵢ − X) × (−Fᵢₖ). They do not
 /// point along xᵢ − xₖ: taken over at the ghost, a couple (xᵢ − xₖ) × Fᵢₖ would come from nowhere; taken over
-/// at the particle, the fluid loses as much angular momentum as the body gets. After PressureOnBodies.
+/// at the particle, the fluid loses as much angular momentum as the body gets. After ForgetForces.
 template <RadialKernel K, class Space = OpenSpace<K::dim>> struct ViscosityOnBodies {
     static constexpr int dim = K::dim;
     using Reads =

@@ -3,6 +3,7 @@
 #include "solver/fluid/dfsph.h"
 #include "solver/fluid/ghost_density.h"
 #include "solver/fluid/gravity.h"
+#include "solver/fluid/rigid_coupling.h"
 #include "solver/fluid/sph_density.h"
 #include "solver/kernels/cubic_spline.h"
 #include "solver/scene/composed.h"
@@ -31,17 +32,21 @@ template <int Dim> std::unique_ptr<Simulation> make_dfsph(const SceneFile& file)
     constexpr double force_fraction = 0.05;
     return composed<Dim>(file, [&](auto named) {
         return Scene{Given<Positions<Dim>, Velocities<Dim>, Masses, Density>{},
-                     Given<GhostPositions<Dim>, GhostVelocities<Dim>, GhostMasses>{},
+                     Given<GhostPositions<Dim>, GhostVelocities<Dim>, GhostMasses, BodyOfGhost,
+                           PlaceInBody<Dim>>{},
+                     Given<RigidBodies<Dim>>{},
                      Given<EmitterStates>{},
                      Given<OutflowStates>{},
                      named("neighbours", FindInGrid<Dim>{file.support}),
                      named("neighbours at walls", FindGhostsInGrid<Dim>{file.support}),
+                     terms.at_bodies(ForgetForces<Dim>{}),
                      named("density", SphDensity<W>{w}),
                      named("density of walls", terms.at_walls(AddGhostDensity<W>{w})),
                      named("gradients", CollectGradients<W, Real>{w}),
                      named("divergence", ZeroDivergence<Dim, Real>{file.density}),
                      named("viscosity", terms.viscosity()),
                      named("viscosity of walls", terms.wall_viscosity()),
+                     terms.viscosity_on_bodies(),
                      named("cohesion", terms.cohesion()),
                      named("gravity", Gravity<Dim>{terms.gravity()}),
                      terms.viscous_limit(),
@@ -49,10 +54,16 @@ template <int Dim> std::unique_ptr<Simulation> make_dfsph(const SceneFile& file)
                      named("forces", Kick<Dim>{}),
                      named("pressure", ConstantDensity<Dim, Real>{file.density}),
                      named("pressure of divergence", AddPressureOfDivergence{}),
+                     terms.at_bodies(PressureOnBodies<W>{w}),
                      named("inflow", terms.template hold_inflow<SetInflow<Dim>>()),
                      named("time step", Drift<Dim>{}),
                      named("constraints", terms.constraints()),
-                     AdvectiveLimit<Dim>{file.spacing}};
+                     AdvectiveLimit<Dim>{file.spacing},
+                     terms.at_bodies(KickBodies<Dim>{terms.gravity()}),
+                     terms.at_bodies(terms.contacts()),
+                     terms.at_bodies(DriftBodies<Dim>{}),
+                     terms.at_bodies(CarryGhosts<Dim>{}),
+                     terms.at_bodies(terms.body_limit())};
     });
 }
 

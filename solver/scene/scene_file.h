@@ -116,7 +116,7 @@ struct Probe {
 /// - [[constraint]] shape, stay = "outside" | "inside", restitution = 0, friction = 0, velocity = 0: particles may
 ///   not enter it, or leave it; there are no ghosts in it.
 /// - [[body]] shape (no plane), name = "body_N", density or mass, velocity = 0, spin = 0 (in space a vector), or
-///   fixed = true for one that keeps its velocity and its spin: a rigid body of ghosts, not for dfsph.
+///   fixed = true for one that keeps its velocity and its spin: a rigid body of ghosts.
 /// - [contact] restitution = 0, friction = 0: of bodies with each other, with walls and with constraints.
 /// - [[emitter]] centre, direction, radius, speed, until: fluid that comes in; [domain] must be there.
 /// - [[outflow]] shape: particles in it are taken out.

@@ -90,10 +90,6 @@ void read_mass(TomlSection& s, SceneBody& body) {
 SceneBody read_body(TomlSection& s, const SceneFile& scene) {
     SceneBody body;
     body.place = s.place();
-    if (scene.method == Method::dfsph)
-        throw InvalidInput(body.place +
-                           ": expected bodies with method = \"sph\" or \"delta_sph\" only, found "
-                           "\"dfsph\"");
     read_name(s, scene, body);
     body.shape = read_shape(s, scene.dim);
     if (body.shape.form == SolidShape::Form::plane)

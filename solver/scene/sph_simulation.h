@@ -39,6 +39,7 @@ template <int Dim> std::unique_ptr<Simulation> make_sph(const SceneFile& file) {
             named("scaling of tension", ScaleTension{file.tension}),
             named("pressure force", terms.pressure_force()),
             named("pressure force of walls", terms.at_walls(GhostPressureForce<W>{w})),
+            terms.at_bodies(ForgetForces<Dim>{}),
             terms.at_bodies(PressureOnBodies<W>{w}),
             named("viscosity", terms.viscosity()),
             named("viscosity of walls", terms.wall_viscosity()),

@@ -21,23 +21,26 @@ void run(const SceneFile& scene, const std::function<void(double, const BodyStat
     }
 }
 
+constexpr const char* artificial = "\"artificial\"\nalpha = 0.1";
 /// Water at rest under gravity in a tank, at speed of sound 25, with a body.
 std::string water(int dim, double spacing, const std::string& tank, const std::string& surface,
                   const std::string& open, const std::string& gravity, const std::string& body,
-                  double end, const std::string& viscosity = "\"artificial\"\nalpha = 0.1") {
+                  double end, const std::string& viscosity = artificial, bool dfsph = false) {
     const std::string zero = dim == 2 ? "[0, 0]" : "[0, 0, 0]";
     return fmt::format(
-        "title = \"body\"\ndim = {}\nmethod = \"delta_sph\"\ngravity = {}\n[particles]\n"
-        "spacing = {}\nsupport = 2.6\n[fluid]\ndensity = 1000\nspeed_of_sound = 25\n"
-        "viscosity = {}\ntension = 0\n[[block]]\nshape = \"box\"\n"
-        "low = {}\nhigh = {}\nhydrostatic = true\n[[wall]]\nshape = \"tank\"\nlow = {}\nhigh = {}\n"
+        "title = \"body\"\ndim = {}\nmethod = \"{}\"\ngravity = {}\n[particles]\n"
+        "spacing = {}\nsupport = {}\n[fluid]\ndensity = 1000\nspeed_of_sound = 25\n"
+        "viscosity = {}\n{}[[block]]\nshape = \"box\"\n"
+        "low = {}\nhigh = {}\n{}[[wall]]\nshape = \"tank\"\nlow = {}\nhigh = {}\n"
         "open = {}\n[[body]]\n{}\n[time]\nend = {}\n[output]\ninterval = {}\npicture = \"none\"\n",
-        dim, gravity, spacing, viscosity, zero, surface, zero, tank, open, body, end, end);
+        dim, dfsph ? "dfsph" : "delta_sph", gravity, spacing, dfsph ? 2.0 : 2.6, viscosity,
+        dfsph ? "" : "tension = 0\n", zero, surface, dfsph ? "" : "hydrostatic = true\n", zero,
+        tank, open, body, end, end);
 }
 
 /// How far the middle of a block is above the surface, in the mean over the second half of the time, in spacings. It
 /// begins there, as it is 12 spacings (in space 6 x 6) wide and 6 (4) high; the water is 12 (6) spacings deep.
-template <int Dim> double height_over_surface(double density) {
+template <int Dim, bool Dfsph> double height_over_surface(double density) {
     const double d = Dim == 2 ? 0.025 : 0.05;
     const SceneFile scene = SceneFile::parse(
         "floating body",
@@ -45,12 +48,12 @@ template <int Dim> double height_over_surface(double density) {
                          fmt::format("shape = \"box\"\nlow = [0.25, 0.225]\nhigh = [0.55, 0.375]\n"
                                      "density = {}",
                                      density),
-                         0.6)
+                         0.6, artificial, Dfsph)
                  : water(3, d, "[0.6, 0.6, 0.5]", "[0.6, 0.6, 0.3]", "[\"+z\"]", "[0, 0, -9.81]",
                          fmt::format("shape = \"box\"\nlow = [0.15, 0.15, 0.2]\n"
                                      "high = [0.45, 0.45, 0.4]\ndensity = {}",
                                      density),
-                         0.4));
+                         0.4, artificial, Dfsph));
     double sum = 0.0, weights = 0.0, before = 0.0;
     run(scene, [&](double time, const BodyState& body) {
         if (time > 0.5 * scene.end)
@@ -106,21 +109,26 @@ double rest_on_floor(double density) {
     return above / 0.025;
 }
 
-Claim floats(int dim, double (*height)(double)) {
+Claim floats(const std::string& how, double (*height)(double), double support) {
     return {
-        .id = fmt::format("floating_body.archimedes_{}d", dim),
+        .id = "floating_body.archimedes_" + how,
         .source = {Paper::literature, "Archimedes: draft over height = density over the water's"},
         .says =
             "how far the middle of a block of half of the water's density is above the "
             "surface, in spacings; wrong: with 95 % of it",
-        .bound = between(-0.5, 1.3,
-                         "the floor of the block feels the pressure of particles up to h = 2.6 "
-                         "spacings below it, half of that in the mean: up to 1.3 higher; rows of "
-                         "particles are known to half a spacing"),
+        .bound = between(
+            -0.5, 0.5 * support,
+            fmt::format("the floor of the block feels the pressure of particles up to h = {} "
+                        "spacings below it, half of that in the mean: up to {} higher; rows of "
+                        "particles are known to half a spacing",
+                        support, 0.5 * support)),
         .measure = [=] { return height(500.0); },
         .sabotaged = [=] { return height(950.0); }};
 }
-const Register floating{floats(2, height_over_surface<2>), floats(3, height_over_surface<3>)};
+const Register floating{floats("2d", height_over_surface<2, false>, 2.6),
+                        floats("3d", height_over_surface<3, false>, 2.6),
+                        floats("dfsph_2d", height_over_surface<2, true>, 2.0),
+                        floats("dfsph_3d", height_over_surface<3, true>, 2.0)};
 const Register sinking{Claim{
     .id = "floating_body.added_mass",
     .source = {Paper::literature,

@@ -3,7 +3,9 @@
 #include "solver/fluid/continuity.h"
 #include "solver/fluid/ghost_continuity.h"
 #include "solver/fluid/ghost_density.h"
+#include "solver/fluid/rigid_coupling.h"
 #include "solver/particles/lattice.h"
+#include "solver/scene/one_of.h"
 #include "verification/fluid/drop.h"
 #include "verification/framework/in_dimensions.h"
 #include "verification/framework/registry.h"
@@ -113,6 +115,29 @@ template <int Dim> double change_of_momentum(bool with_masses) {
     return std::max(linear.norm() / p, angular.norm() / l);
 }
 
+/// ‖Σ mᵢ Δvᵢ + Δt F‖ / Σ mᵢ ‖Δvᵢ‖ with the force F on the floor, a body that gets what the fluid loses in one step.
+template <int Dim> double lost_to_floor(bool both_solves) {
+    const Heap<Dim> heap;
+    using Pass = OneOf<Skip, AddPressureOfDivergence>;
+    auto scene = heap.scene(true, Given<BodyOfGhost, PlaceInBody<Dim>>{}, Given<RigidBodies<Dim>>{},
+                            CollectGradients<W<Dim>>{W<Dim>(h)}, ZeroDivergence<Dim>{rho0},
+                            ConstantDensity<Dim>{rho0},
+                            both_solves ? Pass(AddPressureOfDivergence{}) : Pass(Skip{}),
+                            ForgetForces<Dim>{}, PressureOnBodies<W<Dim>>{W<Dim>(h)});
+    scene.template get<RigidBodies<Dim>>().resize(1);
+    scene.template get<BodyOfGhost>().assign(heap.ghosts.size(), 0);
+    scene.template get<PlaceInBody<Dim>>().assign(heap.ghosts.begin(), heap.ghosts.end());
+    scene.step(dt);
+    const auto& v = scene.template get<Velocities<Dim>>();
+    Vec<Dim> lost = dt * scene.template get<RigidBodies<Dim>>()[0].force;
+    double all = 0.0;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const Vec<Dim> impulse = heap.drop.m[i] * (v[i] - heap.drop.v[i]);
+        lost += impulse, all += impulse.norm();
+    }
+    return lost.norm() / all;
+}
+
 const char* const its_own_tolerance =
     "the tolerance of the solve, 1e-6, and rounding, 100 · 1.1e-16, which is nothing beside it";
 
@@ -147,6 +172,17 @@ const Register momentum{in_dimensions<2, 3>([]<int D>() {
                  .bound = at_most(rounding_of_pairs, sums_of_pairs),
                  .measure = [] { return change_of_momentum<D>(true); },
                  .sabotaged = [] { return change_of_momentum<D>(false); }};
+})};
+const Register exchange{in_dimensions<2, 3>([]<int D>() {
+    return Claim{.id = "dfsph.gives_bodies_what_it_takes",
+                 .source = {Paper::plumbline, "docstring of AddPressureOfDivergence"},
+                 .says =
+                     "momentum of a heap and of the floor together after one step, over the sum of "
+                     "what particles "
+                     "got; wrong: the body feels the pressure of the second solve only",
+                 .bound = at_most(rounding_of_pairs, sums_of_pairs),
+                 .measure = [] { return lost_to_floor<D>(true); },
+                 .sabotaged = [] { return lost_to_floor<D>(false); }};
 })};
 }  // namespace
 }  // namespace dfsph_claims

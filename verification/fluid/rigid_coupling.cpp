@@ -28,6 +28,7 @@ template <int Dim, class... More> auto block_in_fluid(double jitter, double supp
                       PlaceInBody<Dim>>{},
                 FindGhosts<Dim, CellGrid<Dim>>{h},
                 GhostPressureForce<W<Dim>>{W<Dim>(h)},
+                ForgetForces<Dim>{},
                 PressureOnBodies<W<Dim>>{W<Dim>(support)},
                 more...};
     const auto around = Vec<Dim>::Constant(0.5 * edge + 4.0);

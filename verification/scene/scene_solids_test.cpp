@@ -83,9 +83,6 @@ TEST_CASE("bodies without sense are refused") {
     says("[[body]]\nshape = \"plane\"\npoint = [0, 0]\nnormal = [0, 1]\ndensity = 1\n",
          "a shape that ends somewhere");
     says(box + "density = 500\nspin = [0, 0, 1]\n", "expected a finite number");
-    CHECK_THROWS_WITH(
-        SceneFile::parse("s.toml", dam_break_scene(2, "dfsph", 1.0) + box + "density = 500\n"),
-        Catch::Contains("method = \"sph\" or \"delta_sph\" only"));
 }
 
 TEST_CASE("emitters need a domain and room for a particle") {
