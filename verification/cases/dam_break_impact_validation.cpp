@@ -57,7 +57,10 @@ struct Sensor {
                 "half of the width of the band, since one run is as one repeat; the gate opens for "
                 "0.2 to 0.4, and water that comes 0.1 earlier has so much more of the last "
                 "pressure",
-            .goal = between(-0.15, 0.15, "asked for: other programs are 13 to 45 % off")};
+            .goal = between(-0.15, 0.15,
+                            "asked for: other programs are 13 to 45 % off; nothing tried brings "
+                            "sensor 4 nearer than 30 %: artificial viscosity of 0.01 to 0.05, a "
+                            "support of 2.6, no tension, eight seeds, 15 to 120 particles per H")};
     }
     Validation::Panel panel() const {
         return {.name = name,
