@@ -1,4 +1,6 @@
-#include "solver/fluid/several_fluids.h"
+#include "solver/fluid/number_density.h"
+#include "solver/fluid/tait_pressures.h"
+#include "solver/fluid/volume_pressure_force.h"
 
 #include "solver/fluid/pressure_force.h"
 #include "solver/particles/lattice.h"
