@@ -25,7 +25,7 @@ Json row_of(const LineResult& line) {
                           {"measured", number(p.measured)},
                           {"ratio", number(p.ratio())}});
     return {{"name", line.line.name},
-            {"tested", static_cast<bool>(line.line.measured)},
+            {"tested", !line.points.empty()},
             {"expected", json_of(line.line.ratio)},
             {"verdict", name_of(line.verdict)},
             {"theory", numbers(line.curve)},

@@ -9,12 +9,18 @@ namespace {
 using namespace plumbline;
 using namespace verification;
 
-constexpr const char* runs =
-    "hexagonal lattice, 10 by 12 particles that repeat, random velocities of 1e-9, symplectic "
-    "Euler";
-const std::string border_of_runs =
-    std::string(runs) +
-    "; broken: velocities grow a hundredfold within 500 steps; bisected to 0.4 %";
+template <int Dim> std::string runs() {
+    return std::string(Dim == 2 ? "hexagonal lattice, 10 by 12" : "close packed lattice, 256") +
+           " particles that repeat, random velocities of 1e-9, symplectic Euler";
+}
+template <int Dim> std::string border_of_runs() {
+    return runs<Dim>() +
+           "; broken: velocities grow a hundredfold within 500 steps; bisected to 0.4 %";
+}
+/// The id of a map in the plane, and in space.
+template <int Dim> std::string named(const char* id) {
+    return id + std::string(Dim == 2 ? "" : "_3d");
+}
 const Bound two_percent = between(
     0.98, 1.02,
     "bisected to 0.4 %; a wave that is multiplied by 1 + 2 δ per step, δ beyond the border, must "
@@ -26,25 +32,38 @@ std::vector<double> range(double low, double high, double step) {
     for (int k = 0; low + k * step < high + 0.5 * step; ++k) all.push_back(low + k * step);
     return all;
 }
-const std::vector<double> supports = range(1.5, 3.6, 0.02);
+// A box of 4 cells of a close packed lattice is 5.66 wide, and holds a support of less than half of that.
+template <int Dim> std::vector<double> supports() { return range(1.5, Dim == 2 ? 3.6 : 2.8, 0.02); }
+template <int Dim> std::vector<double> supports_of_runs() {
+    return range(1.55, Dim == 2 ? 3.55 : 2.75, 0.2);
+}
+/// In space a border takes seconds: in a quick run Wendland's C2 has to do, at the first place.
+template <int Dim>
+std::vector<double> quick_for(std::string_view kernel, const std::vector<double>& at) {
+    if constexpr (Dim == 2) return at;
+    return kernel == "wendland_c2" ? std::vector{at.front()} : std::vector<double>{};
+}
+
 const Map::Axis support_axis{"support h over spacing", "1"};
 
 /// A line per kernel; places of the runs miss the distances of lattice points, where second derivatives may jump.
-template <class Theory, class Measured>
+template <int Dim, class Theory, class Measured>
 std::vector<Map::Line> line_per_kernel(Theory theory, Measured measured, const Bound& ratio,
-                                       std::vector<double> quick_at) {
+                                       const std::vector<double>& quick_at) {
     std::vector<Map::Line> lines;
-    for (const std::string& name : kernels_for_fluids())
-        lines.push_back({name, [=](double h) { return theory(kernel_of(name, h)); },
-                         [=](double h, double y) { return measured(kernel_of(name, h), y); },
-                         quick_at, range(1.55, 3.55, 0.2), ratio});
+    for (const std::string& name : kernels_for_fluids<Dim>())
+        lines.push_back({name, [=](double h) { return theory(kernel_of<Dim>(name, h)); },
+                         [=](double h, double y) { return measured(kernel_of<Dim>(name, h), y); },
+                         quick_for<Dim>(name, quick_at), supports_of_runs<Dim>(), ratio});
     return lines;
 }
 
 // The acoustic limit, in h/c; at rest density, where no lattice is unstable.
-double acoustic_theory(const AnyKernel<2>& w) { return largest_step({w}) / w.support(); }
-double acoustic_run(const AnyKernel<2>& w, double theory) {
-    return bisected([&](double y) { return grows({w}, y * w.support()); }, theory);
+template <int Dim> double acoustic_theory(const AnyKernel<Dim>& w) {
+    return largest_step<Dim>({w}) / w.support();
+}
+template <int Dim> double acoustic_run(const AnyKernel<Dim>& w, double theory) {
+    return bisected([&](double y) { return grows<Dim>({w}, y * w.support()); }, theory);
 }
 std::string acoustic_finding(const MapResult& result) {
     const Extremes e = extremes_of(result);
@@ -53,36 +72,38 @@ std::string acoustic_finding(const MapResult& result) {
         "{}",
         e.low, e.low_name, e.low_x, e.low > 0.4 ? "is safe" : "is not safe", agreement(result));
 }
-std::vector<Map::Line> acoustic_lines() {
-    auto lines = line_per_kernel(acoustic_theory, acoustic_run, two_percent, {2.35});
+template <int Dim> std::vector<Map::Line> acoustic_lines() {
+    auto lines = line_per_kernel<Dim>(acoustic_theory<Dim>, acoustic_run<Dim>, two_percent, {2.35});
     lines.push_back({"rule: 0.4 h/c", [](double) { return 0.4; }});
     return lines;
 }
-const RegisterMap acoustic{
-    Map{.id = "acoustic_limit",
-        .source = {Paper::plumbline, "docstring of AcousticLimit"},
-        .says = "the largest step of a fluid at rest: 2/ω of its fastest sound wave",
-        .x = support_axis,
-        .y = {"largest time step over h/c", "1", true},
-        .curve_at = supports,
-        .lines = acoustic_lines(),
-        .what_is_run = border_of_runs + "; p = 0",
-        .finding = acoustic_finding}};
+template <int Dim> Map acoustic_map() {
+    return {.id = named<Dim>("acoustic_limit"),
+            .source = {Paper::plumbline, "docstring of AcousticLimit"},
+            .says = "the largest step of a fluid at rest: 2/ω of its fastest sound wave",
+            .x = support_axis,
+            .y = {"largest time step over h/c", "1", true},
+            .curve_at = supports<Dim>(),
+            .lines = acoustic_lines<Dim>(),
+            .what_is_run = border_of_runs<Dim>() + "; p = 0",
+            .finding = acoustic_finding};
+}
+const RegisterMap acoustic{acoustic_map<2>()}, acoustic_3d{acoustic_map<3>()};
 
 // The viscous limit, in h²/ν.
-LatticeFluid viscous(ViscousForm form, double h) {
+template <int Dim> LatticeFluid<Dim> viscous(ViscousForm form, double h) {
     const char* kernel = form == ViscousForm::laplacian ? "viscosity" : "wendland_c2";
-    return {kernel_of(kernel, h), 0.0, false, form};
+    return {kernel_of<Dim>(kernel, h), 0.0, false, form};
 }
-Map::Line viscous_line(const char* name, ViscousForm form, const Bound& ratio) {
+template <int Dim> Map::Line viscous_line(const char* name, ViscousForm form, const Bound& ratio) {
     return {name,
-            [=](double h) { return largest_viscous_step(viscous(form, h)) / (h * h); },
+            [=](double h) { return largest_viscous_step(viscous<Dim>(form, h)) / (h * h); },
             [=](double h, double theory) {
-                return bisected([&](double y) { return grows(viscous(form, h), y * h * h); },
+                return bisected([&](double y) { return grows(viscous<Dim>(form, h), y * h * h); },
                                 theory);
             },
-            {2.35},
-            range(1.55, 3.55, 0.2),
+            quick_for<Dim>(form == ViscousForm::monaghan ? "wendland_c2" : "", {2.35}),
+            supports_of_runs<Dim>(),
             ratio};
 }
 std::string viscous_finding(const MapResult& result) {
@@ -91,29 +112,33 @@ std::string viscous_finding(const MapResult& result) {
         "Viscosity allows steps of at least {:.3f} h²/ν ({}, h/s = {:.2f}): 0.04 is {}; {}", e.low,
         e.low_name, e.low_x, e.low > 0.04 ? "safe" : "too long for it", agreement(result));
 }
-const RegisterMap viscosities{Map{
-    .id = "viscous_limit",
-    .source = {Paper::plumbline, "docstring of ViscousLimit"},
-    .says = "the largest step of each form of viscosity: 2/(ν λ) of the wave that it damps most",
-    .x = support_axis,
-    .y = {"largest time step over h²/ν", "1", true},
-    .curve_at = supports,
-    .lines = {viscous_line("Brookshaw", ViscousForm::brookshaw, two_percent),
-              viscous_line("Monaghan 2005", ViscousForm::monaghan, two_percent),
-              viscous_line("Laplacian (Müller 2003)", ViscousForm::laplacian, two_percent),
-              viscous_line(
-                  "artificial, half of the pairs", ViscousForm::artificial,
-                  between(0.98, 2.04,
-                          "of a wave, each pair at x and −x acts on one side only if both "
-                          "have the same velocity; elsewhere fewer act, which is no linear "
-                          "theory: from that of the half of all to that of a quarter")),
-              {"rule: 0.04 h²/ν", [](double) { return 0.04; }}},
-    .what_is_run = border_of_runs + "; no pressure",
-    .finding = viscous_finding}};
+template <int Dim> Map viscous_map() {
+    return {
+        .id = named<Dim>("viscous_limit"),
+        .source = {Paper::plumbline, "docstring of ViscousLimit"},
+        .says =
+            "the largest step of each form of viscosity: 2/(ν λ) of the wave that it damps most",
+        .x = support_axis,
+        .y = {"largest time step over h²/ν", "1", true},
+        .curve_at = supports<Dim>(),
+        .lines = {viscous_line<Dim>("Brookshaw", ViscousForm::brookshaw, two_percent),
+                  viscous_line<Dim>("Monaghan 2005", ViscousForm::monaghan, two_percent),
+                  viscous_line<Dim>("Laplacian (Müller 2003)", ViscousForm::laplacian, two_percent),
+                  viscous_line<Dim>(
+                      "artificial, half of the pairs", ViscousForm::artificial,
+                      between(0.98, 2.04,
+                              "of a wave, each pair at x and −x acts on one side only if both "
+                              "have the same velocity; elsewhere fewer act, which is no linear "
+                              "theory: from that of the half of all to that of a quarter")),
+                  {"rule: 0.04 h²/ν", [](double) { return 0.04; }}},
+        .what_is_run = border_of_runs<Dim>() + "; no pressure",
+        .finding = viscous_finding};
+}
+const RegisterMap viscosities{viscous_map<2>()}, viscosities_3d{viscous_map<3>()};
 
 // Growth of what is unstable at any time step.
 constexpr double longest_run = 12000.0;  // steps
-double growth(const LatticeFluid& fluid, double theory) {
+template <int Dim> double growth(const LatticeFluid<Dim>& fluid, double theory) {
     const double half = 0.5 * largest_step(fluid), h = fluid.w.support();
     if (theory == 0.0) return h * growth_rate(fluid, half, 500.0 * half);
     const double dt = std::min(half, 0.2 * h / theory);
@@ -125,15 +150,16 @@ const Bound rate_of_growth = between(0.98, 1.01,
                                      "% more slowly has less than e^−3 of the energy, so "
                                      "that some of them take away 5 % of 5 % each; steps of σ Δt ≤ "
                                      "0.2 change rates by (σ Δt)²/24, 0.2 %");
-std::vector<Map::Line> growth_lines(double compression, std::vector<double> quick_at) {
-    return line_per_kernel(
-        [=](const AnyKernel<2>& w) {
-            return w.support() * fastest_growth({w, compression});
+template <int Dim>
+std::vector<Map::Line> growth_lines(double compression, const std::vector<double>& quick_at) {
+    return line_per_kernel<Dim>(
+        [=](const AnyKernel<Dim>& w) {
+            return w.support() * fastest_growth<Dim>({w, compression});
         },
-        [=](const AnyKernel<2>& w, double y) {
-            return growth({w, compression}, y);
+        [=](const AnyKernel<Dim>& w, double y) {
+            return growth<Dim>({w, compression}, y);
         },
-        rate_of_growth, std::move(quick_at));
+        rate_of_growth, quick_at);
 }
 std::string pairing_finding(const MapResult& result) {
     std::string never;
@@ -144,17 +170,20 @@ std::string pairing_finding(const MapResult& result) {
     return fmt::format("Compressed by 10 %, {} pairs fastest; growth below 0.1 c/h: {}; {}",
                        e.high_name, never.empty() ? "none" : never, agreement(result));
 }
-const RegisterMap pairing{
-    Map{.id = "pairing",
-        .source = {Paper::literature, "Dehnen and Aly 2012"},
-        .says = "how fast the most unstable wave of a lattice compressed by 10 % grows under Eq. "
+template <int Dim> Map pairing_map() {
+    return {.id = named<Dim>("pairing"),
+            .source = {Paper::literature, "Dehnen and Aly 2012"},
+            .says =
+                "how fast the most unstable wave of a lattice compressed by 10 % grows under Eq. "
                 "51, at any time step",
-        .x = support_axis,
-        .y = {"rate of growth over c/h", "1"},
-        .curve_at = supports,
-        .lines = growth_lines(0.1, {1.75, 2.55}),
-        .what_is_run = std::string(runs) + "; steps of half of the acoustic limit, or 0.2/σ",
-        .finding = pairing_finding}};
+            .x = support_axis,
+            .y = {"rate of growth over c/h", "1"},
+            .curve_at = supports<Dim>(),
+            .lines = growth_lines<Dim>(0.1, {1.75, 2.55}),
+            .what_is_run = runs<Dim>() + "; steps of half of the acoustic limit, or 0.2/σ",
+            .finding = pairing_finding};
+}
+const RegisterMap pairing{pairing_map<2>()}, pairing_3d{pairing_map<3>()};
 std::string tensile_finding(const MapResult& result) {
     const Extremes e = extremes_of(result);
     return fmt::format("Stretched by 1 %, {}; {} at {:.2f} c/h (h/s = {:.2f}), the fastest; {}",
@@ -162,16 +191,19 @@ std::string tensile_finding(const MapResult& result) {
                                    : "every kernel clumps, but not at every support",
                        e.high_name, e.high, e.high_x, agreement(result));
 }
-const RegisterMap tensile{
-    Map{.id = "tensile",
+template <int Dim> Map tensile_map() {
+    return {
+        .id = named<Dim>("tensile"),
         .source = {Paper::literature, "Swegle, Hicks and Attaway 1995"},
         .says = "how fast the most unstable wave of a lattice stretched by 1 % grows under Eq. 51",
         .x = support_axis,
         .y = {"rate of growth over c/h", "1"},
-        .curve_at = supports,
-        .lines = growth_lines(-0.01, {1.95}),
-        .what_is_run = std::string(runs) + "; steps of half of the acoustic limit, or 0.2/σ",
-        .finding = tensile_finding}};
+        .curve_at = supports<Dim>(),
+        .lines = growth_lines<Dim>(-0.01, {1.95}),
+        .what_is_run = runs<Dim>() + "; steps of half of the acoustic limit, or 0.2/σ",
+        .finding = tensile_finding};
+}
+const RegisterMap tensile{tensile_map<2>()}, tensile_3d{tensile_map<3>()};
 
 // XSPH.
 std::string xi_finding(const MapResult& result) {
@@ -180,42 +212,45 @@ std::string xi_finding(const MapResult& result) {
         "XSPH is stable up to ξ = {:.2f} at least ({}, h/s = {:.2f}), the text's limit is 1; {}",
         e.low, e.low_name, e.low_x, agreement(result));
 }
-double xi_run(const AnyKernel<2>& w, double theory) {
+template <int Dim> double xi_run(const AnyKernel<Dim>& w, double theory) {
     return bisected(
         [&](double xi) {
-            return grows({w, 0.0, false, ViscousForm::none, xi}, 1e-3);
+            return grows<Dim>({w, 0.0, false, ViscousForm::none, xi}, 1e-3);
         },
         theory);
 }
-const RegisterMap xsph_strength{
-    Map{.id = "xsph_strength",
-        .source = {Paper::adams2009, "Eq. 53; Sec. 6.2"},
-        .says = "the largest ξ of XSPH without pressure; the text has 0 to 1",
-        .x = support_axis,
-        .y = {"largest ξ", "1", true},
-        .curve_at = supports,
-        .lines = line_per_kernel(largest_xi, xi_run, two_percent, {2.35}),
-        .what_is_run = border_of_runs + "; no pressure",
-        .finding = xi_finding}};
+template <int Dim> Map xsph_strength_map() {
+    return {.id = named<Dim>("xsph_strength"),
+            .source = {Paper::adams2009, "Eq. 53; Sec. 6.2"},
+            .says = "the largest ξ of XSPH without pressure; the text has 0 to 1",
+            .x = support_axis,
+            .y = {"largest ξ", "1", true},
+            .curve_at = supports<Dim>(),
+            .lines = line_per_kernel<Dim>(largest_xi<Dim>, xi_run<Dim>, two_percent, {2.35}),
+            .what_is_run = border_of_runs<Dim>() + "; no pressure",
+            .finding = xi_finding};
+}
+const RegisterMap xsph_strength{xsph_strength_map<2>()}, xsph_strength_3d{xsph_strength_map<3>()};
 
 Map::Line xsph_line(const char* kernel, double h) {
-    return {fmt::format("{}, h/s = {}", kernel, h),
-            [=](double xi) {
-                return largest_step({kernel_of(kernel, h), 0.0, true, ViscousForm::none, xi}) / h;
-            },
-            [=](double xi, double theory) {
-                const auto w = kernel_of(kernel, h);
-                if (theory == 0.0)  // at any step, then
-                    return grows({w, 0.0, true, ViscousForm::none, xi}, 0.01 * h) ? 0.0 : NAN;
-                return bisected(
-                    [&](double y) {
-                        return grows({w, 0.0, true, ViscousForm::none, xi}, y * h);
-                    },
-                    theory);
-            },
-            {0.5, 1.0},
-            range(0.0, 2.0, 0.2),
-            two_percent};
+    return {
+        fmt::format("{}, h/s = {}", kernel, h),
+        [=](double xi) {
+            return largest_step<2>({kernel_of<2>(kernel, h), 0.0, true, ViscousForm::none, xi}) / h;
+        },
+        [=](double xi, double theory) {
+            const auto w = kernel_of<2>(kernel, h);
+            if (theory == 0.0)  // at any step, then
+                return grows<2>({w, 0.0, true, ViscousForm::none, xi}, 0.01 * h) ? 0.0 : NAN;
+            return bisected(
+                [&](double y) {
+                    return grows<2>({w, 0.0, true, ViscousForm::none, xi}, y * h);
+                },
+                theory);
+        },
+        {0.5, 1.0},
+        range(0.0, 2.0, 0.2),
+        two_percent};
 }
 std::string xsph_finding(const MapResult& result) {
     const LineResult& line = result.lines.front();
@@ -237,17 +272,17 @@ const RegisterMap xsph{Map{
     .curve_at = range(0.0, 2.2, 0.02),
     .lines = {xsph_line("wendland_c2", 2.35), xsph_line("cubic_spline", 2.15),
               xsph_line("poly6", 2.35), xsph_line("wendland_c6", 3.35)},
-    .what_is_run = border_of_runs + "; p = 0",
+    .what_is_run = border_of_runs<2>() + "; p = 0",
     .finding = xsph_finding}};
 
 // The same as claims, with a theory that is wrong on purpose.
 double monaghan_over(double factor) {
-    const Map::Line line = viscous_line("", ViscousForm::monaghan, two_percent);
+    const Map::Line line = viscous_line<2>("", ViscousForm::monaghan, two_percent);
     const double theory = factor * line.theory(2.35);
     return line.measured(2.35, theory) / theory;
 }
 double xi_over(double factor) {
-    const auto w = kernel_of("poly6", 2.35);
+    const auto w = kernel_of<2>("poly6", 2.35);
     return xi_run(w, factor * largest_xi(w)) / (factor * largest_xi(w));
 }
 double step_over(double xi_of_theory) {
@@ -256,15 +291,15 @@ double step_over(double xi_of_theory) {
 }
 /// min over supports of the exact limit of Monaghan's viscosity over fraction h²/ν.
 double margin_of_monaghan(double fraction) {
-    const Map::Line line = viscous_line("", ViscousForm::monaghan, two_percent);
+    const Map::Line line = viscous_line<2>("", ViscousForm::monaghan, two_percent);
     double least = HUGE_VAL;
-    for (const double h : supports) least = std::min(least, line.theory(h) / fraction);
+    for (const double h : supports<2>()) least = std::min(least, line.theory(h) / fraction);
     return least;
 }
 double growth_over(double compression_of_theory) {
-    const auto w = kernel_of("poly6", 1.65);
-    const double theory = 1.65 * fastest_growth({w, compression_of_theory});
-    return growth({w, 0.1}, theory) / theory;
+    const auto w = kernel_of<2>("poly6", 1.65);
+    const double theory = 1.65 * fastest_growth<2>({w, compression_of_theory});
+    return growth<2>({w, 0.1}, theory) / theory;
 }
 const Register claims_of_maps{
     Claim{

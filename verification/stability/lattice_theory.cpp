@@ -9,109 +9,120 @@ namespace verification {
 namespace {
 using namespace plumbline;
 
-/// λ ≤ μ, the eigenvalues of a symmetric matrix.
-struct Eigenvalues {
-    double low, high;
-    explicit Eigenvalues(const Mat<2>& m) {
-        const double mean = 0.5 * m.trace(), half = 0.5 * (m(0, 0) - m(1, 1));
-        const double radius = std::hypot(half, m(0, 1));
-        low = mean - radius, high = mean + radius;
-    }
-};
-
 /// Λ(k) with v̇ = −ν Λ v for velocities v e^(ik·x).
-template <class PairTerm>
-Mat<2> decay(const Points<2>& neighbours, double density, const Vec<2>& k, PairTerm term) {
-    Mat<2> sum = Mat<2>::Zero();
-    for (const Vec<2>& x : neighbours) sum += (1.0 - std::cos(k.dot(x))) * term(x, x.norm());
+template <int Dim, class PairTerm>
+Mat<Dim> decay(const Points<Dim>& neighbours, double density, const Vec<Dim>& k, PairTerm term) {
+    Mat<Dim> sum = Mat<Dim>::Zero();
+    for (const Vec<Dim>& x : neighbours) sum += (1.0 - std::cos(k.dot(x))) * term(x, x.norm());
     return sum / density;
 }
 /// What a pair at x adds to Λ/(1 − cos k·x), times the density, with ν = 1.
-Mat<2> pair_term(const LatticeFluid& f, const Vec<2>& x, double r) {
-    const Mat<2> identity = Mat<2>::Identity();
+template <int Dim> Mat<Dim> pair_term(const LatticeFluid<Dim>& f, const Vec<Dim>& x, double r) {
+    const Mat<Dim> identity = Mat<Dim>::Identity();
     switch (f.viscosity) {
         case ViscousForm::brookshaw:
             return -2.0 * f.w.derivative(r) / r * identity;
         case ViscousForm::laplacian:
             return f.w.laplacian(r) * identity;
         case ViscousForm::monaghan:
-            return -8.0 * f.w.derivative(r) / (r * r * r) * x * x.transpose();
+            return -2.0 * (Dim + 2) * f.w.derivative(r) / (r * r * r) * x * x.transpose();
         case ViscousForm::artificial: {  // half of the pairs approach
             const double h = 0.5 * f.w.support();
-            return -4.0 * f.w.derivative(r) / (r * (r * r + 0.01 * h * h)) * x * x.transpose();
+            return -(Dim + 2.0) * f.w.derivative(r) / (r * (r * r + 0.01 * h * h)) * x *
+                   x.transpose();
         }
         case ViscousForm::none:
             break;
     }
-    return Mat<2>::Zero();
+    return Mat<Dim>::Zero();
 }
 /// λ of XSPH: v ← (1 − ξ λ) v.
-double smoothing(const AnyKernel<2>& w, const Points<2>& neighbours, double density,
-                 const Vec<2>& k) {
+template <int Dim>
+double smoothing(const AnyKernel<Dim>& w, const Points<Dim>& neighbours, double density,
+                 const Vec<Dim>& k) {
     return decay_rate([&](double r) { return w.value(r); }, neighbours, density, k);
 }
 }  // namespace
 
-double largest_step(const LatticeFluid& f) {
-    const auto neighbours = neighbours_on(hexagonal, f.w.support());
-    const FluidAtRest fluid = compressed(f.w, hexagonal, f.compression);
+template <int Dim> double largest_step(const LatticeFluid<Dim>& f) {
+    const auto neighbours = neighbours_on(packed_lattice<Dim>(), f.w.support());
+    const FluidAtRest fluid = compressed(f.w, packed_lattice<Dim>(), f.compression);
     double step = HUGE_VAL;
-    for_each_wave_of_lattice([&](const Vec<2>& k) {
+    for_each_wave_of_lattice<Dim>([&](const Vec<Dim>& k) {
         const double s = 1.0 - f.xi * smoothing(f.w, neighbours, fluid.density, k);
-        const Eigenvalues squares(dispersion(f.w, neighbours, fluid, k));
-        const double limit = std::abs(s) <= 1.0 ? std::sqrt(2.0 * (1.0 + s) / squares.high) : 0.0;
+        const double fastest = eigenvalues<Dim>(dispersion(f.w, neighbours, fluid, k)).maxCoeff();
+        const double limit = std::abs(s) <= 1.0 ? std::sqrt(2.0 * (1.0 + s) / fastest) : 0.0;
         step = std::min(step, limit);
     });
     return step;
 }
 
-double largest_viscous_step(const LatticeFluid& f) {
-    const auto neighbours = neighbours_on(hexagonal, f.w.support());
+template <int Dim> double largest_viscous_step(const LatticeFluid<Dim>& f) {
+    const auto neighbours = neighbours_on(packed_lattice<Dim>(), f.w.support());
     const double density = density_on(kernel_of_density(f), neighbours);
     double fastest = 0.0, slowest = HUGE_VAL;
-    for_each_wave_of_lattice([&](const Vec<2>& k) {
-        const Eigenvalues rates(decay(
-            neighbours, density, k, [&](const Vec<2>& x, double r) { return pair_term(f, x, r); }));
-        fastest = std::max(fastest, rates.high), slowest = std::min(slowest, rates.low);
+    for_each_wave_of_lattice<Dim>([&](const Vec<Dim>& k) {
+        const Vec<Dim> rates =
+            eigenvalues<Dim>(decay<Dim>(neighbours, density, k, [&](const Vec<Dim>& x, double r) {
+                return pair_term(f, x, r);
+            }));
+        fastest = std::max(fastest, rates.maxCoeff()),
+        slowest = std::min(slowest, rates.minCoeff());
     });
     return slowest < -1e-12 * fastest ? 0.0 : 2.0 / fastest;
 }
 
-double largest_xi(const AnyKernel<2>& w) {
-    const auto neighbours = neighbours_on(hexagonal, w.support());
+template <int Dim> double largest_xi(const AnyKernel<Dim>& w) {
+    const auto neighbours = neighbours_on(packed_lattice<Dim>(), w.support());
     const double density = density_on(w, neighbours);
     double strongest = 0.0;
-    for_each_wave_of_lattice([&](const Vec<2>& k) {
+    for_each_wave_of_lattice<Dim>([&](const Vec<Dim>& k) {
         strongest = std::max(strongest, smoothing(w, neighbours, density, k));
     });
     return 2.0 / strongest;
 }
 
-double fastest_growth(const LatticeFluid& f) {
-    const auto neighbours = neighbours_on(hexagonal, f.w.support());
-    const FluidAtRest fluid = compressed(f.w, hexagonal, f.compression);
+template <int Dim> double fastest_growth(const LatticeFluid<Dim>& f) {
+    const auto neighbours = neighbours_on(packed_lattice<Dim>(), f.w.support());
+    const FluidAtRest fluid = compressed(f.w, packed_lattice<Dim>(), f.compression);
     double softest = 0.0;
-    for_each_wave_of_lattice([&](const Vec<2>& k) {
-        softest = std::min(softest, Eigenvalues(dispersion(f.w, neighbours, fluid, k)).low);
+    for_each_wave_of_lattice<Dim>([&](const Vec<Dim>& k) {
+        softest =
+            std::min(softest, eigenvalues<Dim>(dispersion(f.w, neighbours, fluid, k)).minCoeff());
     });
     return softest > -1e-12 ? 0.0 : std::sqrt(-softest);
 }
 
-AnyKernel<2> kernel_of(std::string_view name, double support) {
-    std::optional<AnyKernel<2>> found;
-    AllKernels::with<2>(name, support, [&](const auto& w) { found.emplace(w); });
+template <int Dim> AnyKernel<Dim> kernel_of(std::string_view name, double support) {
+    std::optional<AnyKernel<Dim>> found;
+    AllKernels::with<Dim>(name, support, [&](const auto& w) { found.emplace(w); });
     return *found;
 }
 
-AnyKernel<2> kernel_of_density(const LatticeFluid& f) {
-    return std::isfinite(f.w.value(0.0)) ? f.w : kernel_of("wendland_c2", f.w.support());
+template <int Dim> AnyKernel<Dim> kernel_of_density(const LatticeFluid<Dim>& f) {
+    return std::isfinite(f.w.value(0.0)) ? f.w : kernel_of<Dim>("wendland_c2", f.w.support());
 }
 
-std::vector<std::string> kernels_for_fluids() {
+template <int Dim> std::vector<std::string> kernels_for_fluids() {
     std::vector<std::string> names;
-    for (const std::string_view name : AllKernels::names<2>())
-        if (std::isfinite(kernel_of(name, 1.0).value(0.0))) names.emplace_back(name);
+    for (const std::string_view name : AllKernels::names<Dim>())
+        if (std::isfinite(kernel_of<Dim>(name, 1.0).value(0.0))) names.emplace_back(name);
     return names;
 }
+
+template double largest_step<2>(const LatticeFluid<2>&);
+template double largest_viscous_step<2>(const LatticeFluid<2>&);
+template double largest_xi<2>(const AnyKernel<2>&);
+template double fastest_growth<2>(const LatticeFluid<2>&);
+template AnyKernel<2> kernel_of<2>(std::string_view, double);
+template AnyKernel<2> kernel_of_density<2>(const LatticeFluid<2>&);
+template std::vector<std::string> kernels_for_fluids<2>();
+template double largest_step<3>(const LatticeFluid<3>&);
+template double largest_viscous_step<3>(const LatticeFluid<3>&);
+template double largest_xi<3>(const AnyKernel<3>&);
+template double fastest_growth<3>(const LatticeFluid<3>&);
+template AnyKernel<3> kernel_of<3>(std::string_view, double);
+template AnyKernel<3> kernel_of_density<3>(const LatticeFluid<3>&);
+template std::vector<std::string> kernels_for_fluids<3>();
 
 }  // namespace verification
