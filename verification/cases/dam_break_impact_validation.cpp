@@ -90,7 +90,7 @@ Validation impact() {
             "Water 0.6 m long and 0.3 m high is let go and hits the end wall of its tank of 1.61 "
             "m, "
             "where sensors of 4.2 mm are; 100 repeats. The impulse is that from t √(g/H) = 2.3 to "
-            "5.5. From 3.4 on sensor 4 shows more than sensor 3, 50 mm below it: so does a run "
+            "5.5. From 3.6 on sensor 4 shows more than sensor 3, 50 mm below it: so does a run "
             "with "
             "120 particles per H, not with 60",
         .what_is_run =
