@@ -14,17 +14,6 @@ std::vector<Map>& registered() {
     return all;
 }
 
-class OneThread {
-public:
-    OneThread() { plumbline::set_thread_count(1); }
-    ~OneThread() { plumbline::set_thread_count(before_); }
-    OneThread(const OneThread&) = delete;
-    OneThread& operator=(const OneThread&) = delete;
-
-private:
-    int before_ = plumbline::thread_count();
-};
-
 Verdict verdict_on(const LineResult& line) {
     Verdict verdict = Verdict::verified;
     for (const BorderPoint& p : line.points) {
@@ -36,18 +25,33 @@ Verdict verdict_on(const LineResult& line) {
     return verdict;
 }
 
-LineResult run(const Map::Line& line, const Map& map, Effort effort,
-               const std::function<void()>& between_points) {
-    LineResult result{line, {}, {}};
-    for (const double x : map.curve_at) result.curve.push_back(line.theory(x));
-    if (!line.measured) return result;
-    for (const double x : effort == Effort::quick ? line.quick_at : line.full_at) {
-        if (between_points) between_points();
-        const double theory = line.theory(x);
-        result.points.push_back({x, theory, line.measured(x, theory)});
+/// The lines of a map with their curves and the points that are to be run.
+std::vector<LineResult> lines_of(const Map& map, Effort effort) {
+    std::vector<LineResult> lines;
+    for (const Map::Line& line : map.lines) {
+        LineResult result{line, {}, {}};
+        for (const double x : map.curve_at) result.curve.push_back(line.theory(x));
+        if (line.measured)
+            for (const double x : effort == Effort::quick ? line.quick_at : line.full_at)
+                result.points.push_back({x, line.theory(x), NAN});
+        lines.push_back(std::move(result));
     }
-    result.verdict = verdict_on(result);
-    return result;
+    return lines;
+}
+
+/// Each run is small, so whole runs are shared out among the threads.
+void measure(std::vector<LineResult>& lines, const std::function<void()>& between_points) {
+    std::vector<std::pair<const Map::Line*, BorderPoint*>> runs;
+    for (LineResult& line : lines)
+        for (BorderPoint& point : line.points) runs.emplace_back(&line.line, &point);
+    plumbline::parallel_for(
+        runs.size(),
+        [&](std::size_t k) {
+            if (between_points) between_points();
+            const auto& [line, point] = runs[k];
+            point->measured = line->measured(point->x, point->theory);
+        },
+        1);
 }
 }  // namespace
 
@@ -57,12 +61,12 @@ double BorderPoint::ratio() const {
 }
 
 MapResult run(const Map& map, Effort effort, const std::function<void()>& between_points) {
-    const OneThread one_thread;
     const auto start = std::chrono::steady_clock::now();
     MapResult result{map, {}, 0.0, 0.0, {}, Verdict::verified};
-    for (const Map::Line& line : map.lines) {
-        result.lines.push_back(run(line, map, effort, between_points));
-        const LineResult& added = result.lines.back();
+    result.lines = lines_of(map, effort);
+    measure(result.lines, between_points);
+    for (LineResult& added : result.lines) {
+        added.verdict = verdict_on(added);
         for (const BorderPoint& p : added.points)
             if (!std::isnan(p.measured))
                 result.worst = std::max(result.worst, std::abs(p.ratio() - 1.0));

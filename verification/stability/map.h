@@ -57,7 +57,8 @@ struct MapResult {
     Verdict verdict = Verdict::verified;
 };
 
-/// Runs everything on one thread, since the runs are small. `between_points` may throw to end it.
+/// Shares the runs out among the threads; each is a function of its arguments alone. `between_points` may throw to end
+/// it.
 MapResult run(const Map& map, Effort effort, const std::function<void()>& between_points = {});
 
 /// The border of `breaks(value)`, which holds above it: bisected from half to one and a half times `theory`, to
