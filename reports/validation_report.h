@@ -13,7 +13,7 @@ Json json_of(const verification::ValidationResult& result);
 /// The measured signal and its band, and the signals of the three finest levels.
 Chart chart_of(const verification::ValidationResult& result, std::size_t panel);
 
-/// Each validation, one level after the other, the levels kept as pieces.
+/// Each validation that has levels of this effort, one level after the other, the levels kept as pieces.
 Json run_validations(const std::vector<verification::Validation>& validations,
                      verification::Effort effort, Pieces& pieces);
 

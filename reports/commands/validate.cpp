@@ -36,7 +36,8 @@ void print(const Json& validation) {
     }
     for (const Json& p : validation["panels"]) {
         fmt::print("  {}\n", p["chart"]["finding"].get<std::string>());
-        if (p["goal"] != "") fmt::print("    goal share inside {}\n", p["goal"].get<std::string>());
+        if (const std::string goal = p["goal"]; !goal.empty())
+            fmt::print("    goal share inside {}\n", goal);
     }
 }
 
@@ -60,6 +61,10 @@ ExitCode validate(const Options& options) {
                   fingerprint(options.quick ? "quick" : "full"));
     const Json results =
         run_validations(selected, options.quick ? Effort::quick : Effort::full, pieces);
+    if (results.empty()) {
+        fmt::print(stderr, "plumbline: what matches takes minutes; without --quick it is run\n");
+        return ExitCode::inconclusive;
+    }
     if (options.json != "-")
         for (const Json& validation : results) print(validation);
     if (!options.json.empty()) write_json(document("validations", results), options.json);

@@ -24,8 +24,8 @@ struct Validation {
     std::string what_is_run;  // for people: model, particles, steps
 
     std::vector<double> spacing;  // of the particles [m], coarse to fine; at least 3
-    int quick_levels = 3;         // how many of them, from the coarse end, a quick run takes
-    double formal_order = 1.0;    // of the error in the spacing; 1 with a free surface
+    int quick_levels = 3;       // how many of them, from the coarse end, a quick run takes; 0: none
+    double formal_order = 1.0;  // of the error in the spacing; 1 with a free surface
 
     /// A number that was measured.
     struct Quantity {

@@ -37,6 +37,9 @@ TEST_CASE("validate names what there is if no validation matches") {
     const ProgramRun run = run_plumbline(folder, {"validate", "nonsense"});
     CHECK(run.exit_code == 3);
     CHECK(run.err.find("list validations") != std::string::npos);
+    const ProgramRun slow = run_plumbline(folder, {"validate", "--quick", "lid_driven_cavity"});
+    CHECK(slow.exit_code == 3);
+    CHECK(slow.err.find("without --quick") != std::string::npos);
 }
 
 }  // namespace validate_command_test
